@@ -1,0 +1,1 @@
+"""Exact arithmetic over Q: rings, systems, elimination, real roots."""

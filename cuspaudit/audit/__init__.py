@@ -1,0 +1,1 @@
+"""The audit of one robot: decision, cross-check, report."""

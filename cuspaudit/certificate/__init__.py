@@ -1,0 +1,1 @@
+"""The certificate of a witness and its checker, in ball arithmetic."""

@@ -1,0 +1,137 @@
+"""The exceptions of cuspaudit: one family, each branch telling whose turn it is.
+
+::
+
+    CuspauditError
+      InvalidInputError        a file or a value that cannot be read as it stands
+        InvalidRobotError      not a serial chain we can read (file, joint or row)
+          UnsupportedJointError
+        InvalidSystemError     a polynomial system or map that cannot be read
+        InvalidCertificateError
+      AssumptionError          a hypothesis fails here: no answer exists by this route
+        NotSquareError
+        DegenerateMapError
+      RetryableError           an unlucky choice: another chart, or more bits, may do
+        PrecisionError
+      UnableError              our limit, not mathematics: too large, too long, unwritten
+      CrossCheckError          exact and numeric answers disagree: one has a bug
+
+A search may catch ``RetryableError``; only a decision turns ``UnableError`` into
+UNDECIDED; nobody catches ``CrossCheckError`` except to print it.
+"""
+
+from __future__ import annotations
+
+__all__ = [
+    "AssumptionError",
+    "CrossCheckError",
+    "CuspauditError",
+    "DegenerateMapError",
+    "InvalidCertificateError",
+    "InvalidInputError",
+    "InvalidRobotError",
+    "InvalidSystemError",
+    "NotSquareError",
+    "PrecisionError",
+    "RetryableError",
+    "UnableError",
+    "UnsupportedJointError",
+]
+
+
+class CuspauditError(Exception):
+    """Base of every error this package raises on purpose."""
+
+
+class InvalidInputError(CuspauditError):
+    """An input cannot be read: where, what was found, what to do instead.
+
+    Attributes:
+        file: the file (or name) as the user gave it.
+        where: joint, row, element or line inside it, or "".
+        found: what stands there.
+        expected: what would be accepted, or what to do.
+    """
+
+    def __init__(
+        self, *, file: str, found: str, expected: str, where: str = ""
+    ) -> None:
+        """Build the one-line message from its facts."""
+        self.file, self.where, self.found, self.expected = file, where, found, expected
+        place = f"{file}: {where}" if where else file
+        super().__init__(f"{place}: {found}; {expected}")
+
+
+class InvalidRobotError(InvalidInputError):
+    """The input is not a serial chain we can read."""
+
+
+class UnsupportedJointError(InvalidRobotError):
+    """A joint on the chain is of a kind that has no exact model here."""
+
+
+class InvalidSystemError(InvalidInputError):
+    """The input is not a polynomial system and map we can read."""
+
+
+class InvalidCertificateError(InvalidInputError):
+    """The input is not a certificate file (a refuted one is not an error)."""
+
+
+class AssumptionError(CuspauditError):
+    """A hypothesis of the theorem in use fails for this input."""
+
+
+class NotSquareError(AssumptionError):
+    """The Jacobian matrix of (f, R) is not square.
+
+    Attributes:
+        rows: number of equations and map components together.
+        variables: number of variables.
+    """
+
+    def __init__(self, *, rows: int, variables: int) -> None:
+        """Name both sizes."""
+        self.rows, self.variables = rows, variables
+        super().__init__(
+            f"{rows} equations and components for {variables} variables; a decision "
+            "needs as many components as the variety has dimensions"
+        )
+
+
+class DegenerateMapError(AssumptionError):
+    """The map is singular everywhere: det J vanishes identically."""
+
+
+class RetryableError(CuspauditError):
+    """An unlucky choice was made; another one may succeed."""
+
+
+class PrecisionError(RetryableError):
+    """The working precision did not separate two numbers.
+
+    Attributes:
+        bits: the precision that was not enough.
+    """
+
+    def __init__(self, what: str, bits: int) -> None:
+        """Name the question and the precision reached."""
+        self.bits = bits
+        super().__init__(f"{what}: not decided with {bits} bits")
+
+
+class UnableError(CuspauditError):
+    """A limit of this implementation, not of the mathematics.
+
+    Attributes:
+        step: the routine that stopped.
+    """
+
+    def __init__(self, step: str, why: str) -> None:
+        """Name the routine and the limit."""
+        self.step = step
+        super().__init__(f"{step}: {why}")
+
+
+class CrossCheckError(CuspauditError):
+    """Two routes to one number disagree: one of them has a bug."""

@@ -1,0 +1,1 @@
+"""A robot and its polynomial map: chains, D-H tables, URDF, reductions."""

@@ -1,0 +1,134 @@
+"""A serial chain, exactly as its file describes it.
+
+A chain is a base, joints and a tip. Before each joint stands a fixed transform, a
+product of translations and rotations whose numbers are exact: lengths are rational,
+angles are ``half_turns * pi + radians`` with both rational. Nothing here is a float
+and nothing is rounded: a chain is the robot of the data sheet, and the models that
+the mathematics works on (`exact_model`, `frames`) are derived from it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from typing import Literal
+
+__all__ = [
+    "Angle",
+    "Chain",
+    "Joint",
+    "JointKind",
+    "Motion",
+    "Rotation",
+    "Task",
+    "Translation",
+    "Vector",
+    "X_AXIS",
+    "Y_AXIS",
+    "Z_AXIS",
+]
+
+Vector = tuple[Fraction, Fraction, Fraction]
+JointKind = Literal["revolute", "prismatic"]
+Task = Literal["position", "pose"]
+
+X_AXIS: Vector = (Fraction(1), Fraction(0), Fraction(0))
+Y_AXIS: Vector = (Fraction(0), Fraction(1), Fraction(0))
+Z_AXIS: Vector = (Fraction(0), Fraction(0), Fraction(1))
+
+
+@dataclass(frozen=True, slots=True)
+class Angle:
+    """The angle ``half_turns * pi + radians``, both parts rational.
+
+    >>> Angle(Fraction(1, 2)) + Angle(radians=Fraction(1, 10))
+    Angle(half_turns=Fraction(1, 2), radians=Fraction(1, 10))
+    """
+
+    half_turns: Fraction = Fraction(0)
+    radians: Fraction = Fraction(0)
+
+    def __add__(self, other: Angle) -> Angle:
+        return Angle(self.half_turns + other.half_turns, self.radians + other.radians)
+
+    def __neg__(self) -> Angle:
+        return Angle(-self.half_turns, -self.radians)
+
+    @property
+    def is_zero(self) -> bool:
+        """Whether the angle is exactly 0."""
+        return self.half_turns == 0 and self.radians == 0
+
+
+@dataclass(frozen=True, slots=True)
+class Translation:
+    """A translation by ``vector``, in the chain's unit of length."""
+
+    vector: Vector
+
+
+@dataclass(frozen=True, slots=True)
+class Rotation:
+    """A rotation by ``angle`` about the direction ``axis`` (not necessarily unit)."""
+
+    axis: Vector
+    angle: Angle
+
+
+Motion = Translation | Rotation
+
+
+@dataclass(frozen=True, slots=True)
+class Joint:
+    """A joint and the fixed transform that stands before it.
+
+    The frame of the joint is that of the previous joint (or of the base) followed by
+    ``before``, read left to right; the joint then turns about, or slides along,
+    ``axis`` in that frame by its value (rad, or the chain's unit of length).
+
+    Attributes:
+        name: unique in the chain.
+        kind: "revolute" or "prismatic".
+        before: the fixed transform from the previous joint's moved frame.
+        axis: direction of the joint axis, not zero, not necessarily unit.
+        limits: lower and upper value, or None when the joint has none.
+    """
+
+    name: str
+    kind: JointKind
+    before: tuple[Motion, ...] = ()
+    axis: Vector = Z_AXIS
+    limits: tuple[Angle, Angle] | tuple[Fraction, Fraction] | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Chain:
+    """A serial chain from ``base`` to ``tip``.
+
+    Attributes:
+        name: the robot's name.
+        joints: base to tip; at least one.
+        tool: the fixed transform after the last joint.
+        task: "position" (three equations) or "pose" (six).
+        base: name of the base link or frame.
+        tip: name of the tip link or frame.
+        unit: unit of every length, "m" or "mm".
+    """
+
+    name: str
+    joints: tuple[Joint, ...]
+    tool: tuple[Motion, ...] = ()
+    task: Task = "position"
+    base: str = "base"
+    tip: str = "tip"
+    unit: str = "m"
+
+    @property
+    def kinds(self) -> tuple[JointKind, ...]:
+        """The kind of each joint, base to tip."""
+        return tuple(joint.kind for joint in self.joints)
+
+    def with_joints(self, joints: Sequence[Joint]) -> Chain:
+        """The same chain with other joints."""
+        return replace(self, joints=tuple(joints))

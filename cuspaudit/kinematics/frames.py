@@ -1,0 +1,107 @@
+"""Forward kinematics of a chain in floating point, for searching and drawing.
+
+Nothing decided here reaches a verdict: a search uses these frames to look for a path,
+and the path is then proved in ball arithmetic by `cuspaudit.certificate`.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cuspaudit.kinematics.chain import Angle, Chain, Motion, Translation, Vector
+
+__all__ = ["angle_value", "frames", "jacobian", "transform"]
+
+Matrix = NDArray[np.float64]
+
+
+def angle_value(angle: Angle) -> float:
+    """The angle in rad, correct to a few units in the last place."""
+    return float(angle.half_turns) * math.pi + float(angle.radians)
+
+
+def transform(motions: Sequence[Motion]) -> Matrix:
+    """The product of ``motions``, left to right, as a (4, 4) homogeneous matrix."""
+    result = np.eye(4)
+    for motion in motions:
+        if isinstance(motion, Translation):
+            result = result @ _translation(_floats(motion.vector))
+        else:
+            result = result @ _rotation(motion.axis, angle_value(motion.angle))
+    return result
+
+
+def frames(chain: Chain, posture: Sequence[float]) -> Matrix:
+    """The frames of the joints, moved, and of the tip at ``posture``.
+
+    Args:
+        chain: a chain of n joints.
+        posture: (n,) joint values, rad or the chain's unit.
+
+    Returns:
+        (n + 1, 4, 4): frame i is that of joint i after its motion, in base
+        coordinates, its origin on the joint's axis; the last one is the tip.
+    """
+    result = []
+    current = np.eye(4)
+    for joint, value in zip(chain.joints, posture, strict=True):
+        current = current @ transform(joint.before)
+        if joint.kind == "revolute":
+            current = current @ _rotation(joint.axis, float(value))
+        else:
+            current = current @ _translation(_unit(joint.axis) * float(value))
+        result.append(current)
+    result.append(current @ transform(chain.tool))
+    return np.array(result)
+
+
+def jacobian(chain: Chain, posture: Sequence[float]) -> Matrix:
+    """The geometric Jacobian at ``posture``: (3, n) for a position task, else (6, n).
+
+    Rows are the linear velocity of the tip's origin, then (pose task only) the angular
+    velocity, both in base coordinates.
+    """
+    placed = frames(chain, posture)
+    point = placed[-1, :3, 3]
+    columns = []
+    for joint, frame in zip(chain.joints, placed, strict=False):
+        axis = frame[:3, :3] @ _unit(joint.axis)
+        if joint.kind == "revolute":
+            columns.append(np.r_[np.cross(axis, point - frame[:3, 3]), axis])
+        else:
+            columns.append(np.r_[axis, np.zeros(3)])
+    full = np.array(columns).T
+    return full[:3] if chain.task == "position" else full
+
+
+def _floats(vector: Vector) -> Matrix:
+    return np.array([float(x) for x in vector])
+
+
+def _unit(axis: Vector) -> Matrix:
+    direction = _floats(axis)
+    return np.asarray(direction / np.linalg.norm(direction), dtype=np.float64)
+
+
+def _rotation(axis: Vector, angle: float) -> Matrix:
+    x, y, z = _unit(axis)
+    c, s = math.cos(angle), math.sin(angle)
+    k = 1.0 - c
+    return np.array(
+        [
+            [c + x * x * k, x * y * k - z * s, x * z * k + y * s, 0.0],
+            [y * x * k + z * s, c + y * y * k, y * z * k - x * s, 0.0],
+            [z * x * k - y * s, z * y * k + x * s, c + z * z * k, 0.0],
+            [0.0, 0.0, 0.0, 1.0],
+        ]
+    )
+
+
+def _translation(vector: Matrix) -> Matrix:
+    result = np.eye(4)
+    result[:3, 3] = vector
+    return result
