@@ -1,0 +1,134 @@
+"""Resultants, discriminants, contents: exact elimination on FLINT.
+
+Over Q(sqrt m) the eliminants are computed with sqrt m as one more variable and
+reduced afterwards; they are then right up to nothing (a resultant is a polynomial in
+the coefficients). Only gcds need the field itself; they go through sympy, once a map.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+import sympy
+from flint import Ordering, fmpq, fmpz_mpoly, fmpz_mpoly_ctx
+
+from cuspaudit.algebra.ring import Polynomial, Ring
+from cuspaudit.algebra.univariate import Univariate
+
+__all__ = [
+    "discriminant",
+    "exact_quotient",
+    "leading_coefficient",
+    "primitive_part",
+    "resultant",
+    "square_free_factors",
+]
+
+
+def resultant(ring: Ring, p: Polynomial, q: Polynomial, name: str) -> Polynomial:
+    """The resultant of ``p`` and ``q`` with respect to ``name``.
+
+    It vanishes wherever p and q have a common root or their leading coefficients
+    vanish together.
+    """
+    return ring.reduce(p.resultant(q, name))
+
+
+def discriminant(ring: Ring, p: Polynomial, name: str) -> Polynomial:
+    """The discriminant of ``p`` with respect to ``name``, up to a positive constant.
+
+    Denominators are cleared first: FLINT is twice as fast over Z.
+    """
+    integral = _over_z(ring, p)
+    value = integral.discriminant(name)
+    return ring.reduce(ring.context.from_dict(value.to_dict()))
+
+
+def leading_coefficient(ring: Ring, p: Polynomial, name: str) -> Polynomial:
+    """The coefficient of the highest power of ``name`` in ``p``."""
+    coefficients = ring.coefficients(p, [name])
+    return coefficients[max(coefficients)]
+
+
+def primitive_part(
+    ring: Ring, p: Polynomial, name: str, over: Sequence[str]
+) -> Polynomial:
+    """``p`` divided by the gcd, in K[name], of its coefficients in ``over``.
+
+    The zeros of p in ``name`` that do not depend on ``over`` are removed.
+    """
+    coefficients = list(ring.coefficients(p, over).values())
+    if ring.radicand is None:
+        content = coefficients[0]
+        for coefficient in coefficients[1:]:
+            content = content.gcd(coefficient)
+    else:
+        content = _field_gcd(ring, coefficients, name)
+    return exact_quotient(ring, p, content)
+
+
+def exact_quotient(ring: Ring, p: Polynomial, q: Polynomial) -> Polynomial:
+    """``p / q`` for a divisor ``q`` of ``p`` over K.
+
+    Over Q(sqrt m) both are multiplied by the conjugate of q, so that the division is
+    one by a polynomial over Q.
+    """
+    if ring.radicand is not None:
+        p, q = ring.reduce(p * ring.conjugate(q)), ring.norm(q)
+    quotient, remainder = divmod(p, q)
+    assert remainder == 0, "not a divisor"
+    return quotient
+
+
+def square_free_factors(
+    ring: Ring, polynomials: Iterable[Polynomial]
+) -> list[Polynomial]:
+    """Polynomials, coprime in pairs over Q, with the same zeros as the product.
+
+    Over Q(sqrt m) they are left as they are, constants and repetitions removed.
+    """
+    found: list[Polynomial] = []
+    for p in polynomials:
+        if p.is_constant():
+            continue
+        parts = [p] if ring.radicand else [factor for factor, _ in p.factor()[1]]
+        found += [part for part in parts if part not in found]
+    return found
+
+
+def _over_z(ring: Ring, p: Polynomial) -> fmpz_mpoly:
+    context = fmpz_mpoly_ctx.get(ring.context.names(), Ordering.lex)
+    terms = p.to_dict()
+    common = 1
+    for coefficient in terms.values():
+        common = common * coefficient.q // coefficient.q.gcd(common)
+    return context.from_dict({e: (c * common).p for e, c in terms.items()})
+
+
+def _field_gcd(ring: Ring, polynomials: Sequence[Polynomial], name: str) -> Polynomial:
+    """The monic gcd in K[name] of polynomials in ``name`` alone."""
+    field = sympy.QQ.algebraic_field(sympy.sqrt(ring.radicand))
+    t = sympy.Symbol("t")
+    result = sympy.Poly(0, t, domain=field)
+    for p in polynomials:
+        pair = Univariate.from_polynomial(ring, p, name)
+        dense = [
+            field([_sympy(pair.surd[i]), _sympy(pair.rational[i])])
+            for i in reversed(range(pair.degree + 1))
+        ]
+        result = sympy.gcd(result, sympy.Poly.from_list(dense, t, domain=field))
+    total = ring.constant(0)
+    for power, number in enumerate(reversed(result.rep.to_list())):
+        surd, plain = ([0, 0] + number.to_list())[-2:]
+        value = ring.constant(_rational(plain)) + ring.surd * _rational(surd)
+        total += value * ring.gen(name) ** power
+    return total
+
+
+def _sympy(number: fmpq) -> Any:
+    return sympy.QQ(int(number.p), int(number.q))
+
+
+def _rational(number: Any) -> fmpq:
+    return fmpq(int(number.numerator), int(number.denominator))

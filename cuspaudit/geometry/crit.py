@@ -1,0 +1,53 @@
+"""Critical locus of a polynomial map on a variety (the paper's ``Crit``).
+
+V = {f_1 = ... = f_s = 0} in R^n has dimension d and R maps V to R^d. R fails to be a
+local diffeomorphism exactly where all minors of size n of jac(f, R) vanish. For a
+robot these points are its singularities; the decision works on the complement.
+"""
+
+from __future__ import annotations
+
+from itertools import combinations
+
+from cuspaudit.algebra.matrix import determinant, jacobian
+from cuspaudit.algebra.ring import Polynomial
+from cuspaudit.algebra.system import PolynomialMap, PolynomialSystem
+from cuspaudit.errors import NotSquareError
+
+__all__ = ["crit"]
+
+
+def crit(variety: PolynomialSystem, mapping: PolynomialMap) -> tuple[Polynomial, ...]:
+    """The minors of size n of jac(f, R): crit(R, V) is their common zero set on V.
+
+    [Paper, section 1 and routine Crit]. When V is given by n - d equations there is
+    one minor, Delta = det jac(f, R), rows f_1..f_s then r_1..r_d, columns in ring
+    order.
+
+    Args:
+        variety: V = {f = 0}, s equations in n variables over K. Assumption (A) of the
+            paper (radical, equidimensional of dimension d) is not checked here.
+        mapping: R = (r_1, ..., r_d), same ring, s + d >= n.
+
+    Returns:
+        The nonzero minors, in the lexicographic order of their rows.
+
+    Raises:
+        NotSquareError: s + d < n.
+
+    A slider of length x turned by an angle (c, s) is singular at x = 0 only:
+
+    >>> from cuspaudit.algebra.ring import Ring
+    >>> ring = Ring(["c", "s", "x"])
+    >>> c, s, x = ring.gens
+    >>> circle = PolynomialSystem(ring, (c**2 + s**2 - 1,))
+    >>> crit(circle, PolynomialMap(ring, (c * x, s * x)))
+    (-2*c^2*x - 2*s^2*x,)
+    """
+    ring = variety.ring
+    rows = jacobian(ring, (*variety.equations, *mapping.components))
+    size = len(ring.variables)
+    if len(rows) < size:
+        raise NotSquareError(rows=len(rows), variables=size)
+    minors = (determinant(ring, chosen) for chosen in combinations(rows, size))
+    return tuple(minor for minor in minors if minor != 0)

@@ -1,0 +1,151 @@
+"""Rational points in every cell of the complement of a hypersurface.
+
+The paper's ``SamplePointsRational``, by open cylindrical decomposition: project the
+polynomials along the last variable by leading coefficient, discriminant and pairwise
+resultants; over a rational point of every cell below, the roots of the specialised
+polynomials keep their order, so one rational between neighbours meets every cell.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from itertools import combinations
+
+from flint import arb, fmpq
+
+from cuspaudit.algebra.elimination import (
+    discriminant,
+    leading_coefficient,
+    resultant,
+    square_free_factors,
+)
+from cuspaudit.algebra.ring import Polynomial, Ring
+from cuspaudit.algebra.univariate import Univariate, real_root_balls
+from cuspaudit.errors import UnableError
+
+__all__ = ["rationals_between", "sample_points_rational", "simplest_between"]
+
+Point = tuple[fmpq, ...]
+_TRIES = 40
+
+
+def sample_points_rational(
+    ring: Ring,
+    polynomials: Sequence[Polynomial],
+    variables: Sequence[str],
+    accept: Callable[[Point], bool] = lambda point: True,
+) -> list[Point]:
+    """Points of Q^d that meet every connected component of R^d - V(h_1 ... h_t).
+
+    [Paper, Corollary 3 and routine SamplePointsRational].
+
+    Args:
+        ring: K[..], which may have more variables than are used.
+        polynomials: h_1..h_t in K[variables], none of them zero.
+        variables: x_1..x_d, projected away from the last to the first.
+        accept: a further condition, true outside a proper algebraic set; points that
+            fail it are replaced by others of the same cell.
+
+    Raises:
+        UnableError: ``accept`` refused every candidate of a cell.
+    """
+    return list(_lift(ring, list(polynomials), tuple(variables), accept))
+
+
+def _lift(
+    ring: Ring,
+    polynomials: list[Polynomial],
+    variables: tuple[str, ...],
+    accept: Callable[[Point], bool],
+) -> Iterator[Point]:
+    *below, last = variables
+    if not below:
+        yield from ((x,) for x in _between(ring, polynomials, last, accept, ()))
+        return
+    projected = _project(ring, polynomials, last)
+    for point in _lift(ring, projected, tuple(below), lambda point: True):
+        values = dict(zip(below, point, strict=True))
+        fiber = [ring.substitute(p, values) for p in polynomials]
+        for x in _between(ring, fiber, last, accept, point):
+            yield (*point, x)
+
+
+def _project(ring: Ring, polynomials: list[Polynomial], name: str) -> list[Polynomial]:
+    """The zeros of the result contain every place where the roots change order."""
+    projected = []
+    vertical = [p for p in polynomials if p.derivative(name) == 0]
+    rest = [p for p in polynomials if p.derivative(name) != 0]
+    for p in rest:
+        projected.append(leading_coefficient(ring, p, name))
+        projected.append(discriminant(ring, p, name))
+    projected += [resultant(ring, p, q, name) for p, q in combinations(rest, 2)]
+    if any(p == 0 for p in projected):
+        raise UnableError("sample_points_rational", "a polynomial is not square-free")
+    return square_free_factors(ring, projected + vertical)
+
+
+def _between(
+    ring: Ring,
+    polynomials: list[Polynomial],
+    name: str,
+    accept: Callable[[Point], bool],
+    below: Point,
+) -> Iterator[fmpq]:
+    """One accepted rational in every gap between the real roots in ``name``."""
+    roots = real_root_balls(
+        [Univariate.from_polynomial(ring, p, name) for p in polynomials]
+    )
+    for low, high in zip([None, *roots], [*roots, None], strict=True):
+        candidates = rationals_between(low, high)
+        for candidate in candidates:
+            if accept((*below, candidate)):
+                yield candidate
+                break
+        else:
+            raise UnableError(
+                "sample_points_rational", f"no generic point found in {low}, {high}"
+            )
+
+
+def rationals_between(low: arb | None, high: arb | None) -> Iterator[fmpq]:
+    """Rationals strictly between two balls, simple and away from the ends first.
+
+    None stands for an infinite end. Finitely many, all different.
+    """
+    if low is None and high is None:
+        left, right = fmpq(-1), fmpq(1)
+    elif low is None:
+        right = fmpq(_exact(high.lower()).floor() - 1)
+        left = right - 2
+    elif high is None:
+        left = fmpq(_exact(low.upper()).ceil() + 1)
+        right = left + 2
+    else:
+        left, right = _exact(low.upper()), _exact(high.lower())
+    for k in range(_TRIES):
+        shift = fmpq(k, 2 * _TRIES + 3)
+        width = right - left
+        start = left + width * (fmpq(1, 3) + shift / 2)
+        yield simplest_between(start, start + width * fmpq(1, 4 + 3 * k))
+
+
+def simplest_between(low: fmpq, high: fmpq) -> fmpq:
+    """The rational of least denominator in the closed interval [low, high].
+
+    >>> simplest_between(fmpq(314, 100), fmpq(315, 100))
+    22/7
+    """
+    whole = low.floor()
+    if whole == low:
+        return low
+    if whole + 1 <= high:
+        return fmpq(whole + 1)
+    rest = simplest_between(1 / (high - whole), 1 / (low - whole))
+    return whole + 1 / rest
+
+
+def _exact(ball: arb) -> fmpq:
+    """The midpoint of an exact ball as a rational."""
+    mantissa, exponent = ball.mid().man_exp()
+    power = fmpq(2) ** int(exponent)
+    return fmpq(mantissa) * power
