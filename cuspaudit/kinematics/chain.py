@@ -10,11 +10,14 @@ the mathematics works on (`exact_model`, `frames`) are derived from it.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from typing import Literal
 
 __all__ = [
+    "X_AXIS",
+    "Y_AXIS",
+    "Z_AXIS",
     "Angle",
     "Chain",
     "Joint",
@@ -24,9 +27,6 @@ __all__ = [
     "Task",
     "Translation",
     "Vector",
-    "X_AXIS",
-    "Y_AXIS",
-    "Z_AXIS",
 ]
 
 Vector = tuple[Fraction, Fraction, Fraction]
@@ -63,17 +63,30 @@ class Angle:
 
 @dataclass(frozen=True, slots=True)
 class Translation:
-    """A translation by ``vector``, in the chain's unit of length."""
+    """A translation by ``vector``, in the chain's unit of length.
+
+    Attributes:
+        vector: the three components.
+        source: where the file has them ("joint_2 xyz"), or ""; not compared.
+    """
 
     vector: Vector
+    source: str = field(default="", compare=False, repr=False)
 
 
 @dataclass(frozen=True, slots=True)
 class Rotation:
-    """A rotation by ``angle`` about the direction ``axis`` (not necessarily unit)."""
+    """A rotation by ``angle`` about the direction ``axis`` (not necessarily unit).
+
+    Attributes:
+        axis: the direction, not zero.
+        angle: by the right-hand rule.
+        source: where the file has the angle ("joint_2 rpy[0]"), or ""; not compared.
+    """
 
     axis: Vector
     angle: Angle
+    source: str = field(default="", compare=False, repr=False)
 
 
 Motion = Translation | Rotation
