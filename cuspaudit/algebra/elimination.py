@@ -8,6 +8,7 @@ the coefficients). Only gcds need the field itself; they go through sympy, once 
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from math import lcm
 from typing import Any
 
 import sympy
@@ -100,9 +101,7 @@ def square_free_factors(
 def _over_z(ring: Ring, p: Polynomial) -> fmpz_mpoly:
     context = fmpz_mpoly_ctx.get(ring.context.names(), Ordering.lex)
     terms = p.to_dict()
-    common = 1
-    for coefficient in terms.values():
-        common = common * coefficient.q // coefficient.q.gcd(common)
+    common = lcm(*(int(coefficient.q) for coefficient in terms.values()))
     return context.from_dict({e: (c * common).p for e, c in terms.items()})
 
 
@@ -120,7 +119,7 @@ def _field_gcd(ring: Ring, polynomials: Sequence[Polynomial], name: str) -> Poly
         result = sympy.gcd(result, sympy.Poly.from_list(dense, t, domain=field))
     total = ring.constant(0)
     for power, number in enumerate(reversed(result.rep.to_list())):
-        surd, plain = ([0, 0] + number.to_list())[-2:]
+        surd, plain = [0, 0, *number.to_list()][-2:]
         value = ring.constant(_rational(plain)) + ring.surd * _rational(surd)
         total += value * ring.gen(name) ** power
     return total

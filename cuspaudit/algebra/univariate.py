@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import pairwise
 
 from flint import arb, arb_poly, ctx, fmpq, fmpq_poly, fmpz_poly
 
@@ -62,7 +63,7 @@ class Univariate:
 
     @cached_property
     def norm(self) -> fmpq_poly:
-        """A^2 - m B^2 over Q(sqrt m), A itself over Q: it vanishes where A + .. does."""
+        """A^2 - m B^2 over Q(sqrt m), A itself over Q; zero where the polynomial is."""
         if self.radicand is None:
             return self.rational
         return self.rational**2 - self.radicand * self.surd**2
@@ -171,7 +172,7 @@ def real_root_balls(polynomials: Sequence[Univariate]) -> list[arb]:
         for ctx.prec in PRECISIONS:
             balls = [ball for p in integral for ball in _real_balls(p)]
             balls.sort(key=lambda ball: ball.mid())
-            if all(a < b for a, b in zip(balls, balls[1:], strict=False)):
+            if all(a < b for a, b in pairwise(balls)):
                 return balls
     finally:
         ctx.prec = saved
@@ -188,7 +189,7 @@ def disjoint_balls(roots: Sequence[RealRoot]) -> list[arb]:
     for bits in PRECISIONS:
         balls = [root.enclosure(bits) for root in roots]
         ordered = sorted(balls, key=lambda ball: ball.mid())
-        if all(a < b for a, b in zip(ordered, ordered[1:], strict=False)):
+        if all(a < b for a, b in pairwise(ordered)):
             return balls
     raise PrecisionError("order of distinct real roots", PRECISIONS[-1])
 

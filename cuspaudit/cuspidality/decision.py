@@ -105,7 +105,8 @@ def decide(
         raise UnableError("decide", "this engine decides maps to the plane")
     progress("crit")
     surface = Surface(variety.ring, *product_factors(variety))
-    delta = surface.reduce(crit(variety, mapping)[0]) if crit(variety, mapping) else 0
+    minors = [surface.reduce(minor) for minor in crit(variety, mapping)]
+    delta = minors[0] if minors else variety.ring.constant(0)
     if delta == 0:
         raise DegenerateMapError(
             "det J vanishes at every posture: the map never has full rank"

@@ -18,7 +18,7 @@ __all__ = ["crit"]
 
 
 def crit(variety: PolynomialSystem, mapping: PolynomialMap) -> tuple[Polynomial, ...]:
-    """The minors of size n of jac(f, R): crit(R, V) is their common zero set on V.
+    """Return the minors of size n of jac(f, R), whose zeros on V are the locus.
 
     [Paper, section 1 and routine Crit]. When V is given by n - d equations there is
     one minor, Delta = det jac(f, R), rows f_1..f_s then r_1..r_d, columns in ring

@@ -149,7 +149,9 @@ def _check_multiple_roots(
     ring, keep, other = fibers.ring, fibers.separating, fibers.other
     moves = [n.derivative(other) * d - n * d.derivative(other) for n, d in charted]
     moving = [move for move in moves if move != 0]
-    places_at = resultant(ring, *moves, other) if len(moving) == 2 else moving[0]
+    places_at = moving[0]
+    if len(moving) == 2:
+        places_at = resultant(ring, moving[0], moving[1], other)
     if places_at == 0 or places_at.derivative(other) != 0:
         raise UnableError("atypical_values", f"the map may stand still along {other}")
     places = real_roots(Univariate.from_polynomial(ring, places_at, keep))
@@ -158,7 +160,7 @@ def _check_multiple_roots(
     for root in places:
         defining = ring.constant(0)
         for i, c in enumerate(root.polynomial.coeffs()):
-            defining += ring.constant(c) * ring.gen(keep) ** i
+            defining += ring.constant(int(c)) * ring.gen(keep) ** i
         if divmod(pulled, defining)[1] != 0:
             raise UnableError(
                 "atypical_values",

@@ -23,6 +23,7 @@ from dataclasses import dataclass, replace
 
 from flint import arb, fmpq
 
+from cuspaudit.algebra.rationals import rationals_between
 from cuspaudit.algebra.ring import Polynomial
 from cuspaudit.algebra.univariate import (
     RealRoot,
@@ -31,7 +32,6 @@ from cuspaudit.algebra.univariate import (
     real_roots,
 )
 from cuspaudit.errors import RetryableError, UnableError
-from cuspaudit.geometry.sample_points_rational import rationals_between
 from cuspaudit.geometry.surface import ROTATIONS, Surface
 
 __all__ = ["Roadmap", "Strip", "orient", "roadmap"]

@@ -123,8 +123,8 @@ def isolated_real_roots(polynomial: Univariate) -> list[arb]:
     ball meets the real axis is real, since its conjugate lies in the same ball.
     """
     if polynomial.radicand is None or polynomial.surd == 0:
-        found = polynomial.rational.numer().complex_roots()
-        balls = [root.real for root, _ in found if root.imag == 0]
+        exact = polynomial.rational.numer().complex_roots()
+        balls = [root.real for root, _ in exact if root.imag == 0]
     else:
         found = acb_poly(polynomial.ball_polynomial).roots()
         balls = [root.real for root in found if root.imag.contains(0)]

@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from itertools import combinations
 
-from flint import arb, fmpq
+from flint import fmpq
 
 from cuspaudit.algebra.elimination import (
     discriminant,
@@ -19,14 +19,14 @@ from cuspaudit.algebra.elimination import (
     resultant,
     square_free_factors,
 )
+from cuspaudit.algebra.rationals import rationals_between
 from cuspaudit.algebra.ring import Polynomial, Ring
 from cuspaudit.algebra.univariate import Univariate, real_root_balls
 from cuspaudit.errors import UnableError
 
-__all__ = ["rationals_between", "sample_points_rational", "simplest_between"]
+__all__ = ["sample_points_rational"]
 
 Point = tuple[fmpq, ...]
-_TRIES = 40
 
 
 def sample_points_rational(
@@ -105,47 +105,3 @@ def _between(
             raise UnableError(
                 "sample_points_rational", f"no generic point found in {low}, {high}"
             )
-
-
-def rationals_between(low: arb | None, high: arb | None) -> Iterator[fmpq]:
-    """Rationals strictly between two balls, simple and away from the ends first.
-
-    None stands for an infinite end. Finitely many, all different.
-    """
-    if low is None and high is None:
-        left, right = fmpq(-1), fmpq(1)
-    elif low is None:
-        right = fmpq(_exact(high.lower()).floor() - 1)
-        left = right - 2
-    elif high is None:
-        left = fmpq(_exact(low.upper()).ceil() + 1)
-        right = left + 2
-    else:
-        left, right = _exact(low.upper()), _exact(high.lower())
-    for k in range(_TRIES):
-        shift = fmpq(k, 2 * _TRIES + 3)
-        width = right - left
-        start = left + width * (fmpq(1, 3) + shift / 2)
-        yield simplest_between(start, start + width * fmpq(1, 4 + 3 * k))
-
-
-def simplest_between(low: fmpq, high: fmpq) -> fmpq:
-    """The rational of least denominator in the closed interval [low, high].
-
-    >>> simplest_between(fmpq(314, 100), fmpq(315, 100))
-    22/7
-    """
-    whole = low.floor()
-    if whole == low:
-        return low
-    if whole + 1 <= high:
-        return fmpq(whole + 1)
-    rest = simplest_between(1 / (high - whole), 1 / (low - whole))
-    return whole + 1 / rest
-
-
-def _exact(ball: arb) -> fmpq:
-    """The midpoint of an exact ball as a rational."""
-    mantissa, exponent = ball.mid().man_exp()
-    power = fmpq(2) ** int(exponent)
-    return fmpq(mantissa) * power

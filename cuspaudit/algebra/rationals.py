@@ -1,0 +1,49 @@
+"""Simple rationals in intervals."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from flint import arb, fmpq
+
+__all__ = ["exact_rational", "rationals_between", "simplest_between"]
+
+_TRIES = 40
+
+
+def rationals_between(low: arb | None, high: arb | None) -> Iterator[fmpq]:
+    """Rationals strictly between two balls, simple and away from the ends first.
+
+    None stands for an infinite end. Finitely many, all different.
+    """
+    left, right = fmpq(-1), fmpq(1)
+    if low is not None:
+        left = exact_rational(low.upper())
+        right = fmpq(left.ceil() + 3)
+    if high is not None:
+        right = exact_rational(high.lower())
+        left = fmpq(right.floor() - 3) if low is None else left
+    width = right - left
+    for k in range(_TRIES):
+        start = left + width * (fmpq(1, 3) + fmpq(k, 5 * _TRIES))
+        yield simplest_between(start, start + width * fmpq(1, 4 + 3 * k))
+
+
+def simplest_between(low: fmpq, high: fmpq) -> fmpq:
+    """The rational of least denominator in the closed interval [low, high].
+
+    >>> simplest_between(fmpq(314, 100), fmpq(315, 100))
+    22/7
+    """
+    whole = low.floor()
+    if whole == low:
+        return low
+    if whole + 1 <= high:
+        return fmpq(whole + 1)
+    return whole + 1 / simplest_between(1 / (high - whole), 1 / (low - whole))
+
+
+def exact_rational(ball: arb) -> fmpq:
+    """The midpoint of a ball, which is a dyadic rational, exactly."""
+    mantissa, exponent = ball.mid().man_exp()
+    return fmpq(mantissa) * fmpq(2) ** int(exponent)
