@@ -1,1 +1,32 @@
 """The certificate of a witness and its checker, in ball arithmetic."""
+
+from cuspaudit.certificate.checker import Verification, verify
+from cuspaudit.certificate.file import (
+    certificate_from_text,
+    read_certificate,
+    text_from_certificate,
+    write_certificate,
+)
+from cuspaudit.certificate.model import (
+    Certificate,
+    CertifiedJoint,
+    Motion,
+    Rotate,
+    Translate,
+    check_certificate,
+)
+
+__all__ = [
+    "Certificate",
+    "CertifiedJoint",
+    "Motion",
+    "Rotate",
+    "Translate",
+    "Verification",
+    "certificate_from_text",
+    "check_certificate",
+    "read_certificate",
+    "text_from_certificate",
+    "verify",
+    "write_certificate",
+]

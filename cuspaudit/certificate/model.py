@@ -1,0 +1,178 @@
+"""A certificate: a robot, two postures of one pose, and a path that joins them.
+
+The file claims that the robot is cuspidal: the two postures put the tool in exactly
+the same place, they differ modulo 2 pi, and det J has the stated sign all along the
+path. Nothing is claimed about how the path was found, and nothing outside the file
+is needed to prove it: the robot's numbers are in it, exactly.
+
+The second posture is an approximation, because postures are algebraic numbers in
+general; the checker proves that one true posture lies next to it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from fractions import Fraction
+from numbers import Rational
+from typing import Literal
+
+from cuspaudit.errors import InvalidCertificateError
+
+__all__ = [
+    "JOINTS_OF_TASK",
+    "Certificate",
+    "CertifiedJoint",
+    "JointKind",
+    "Motion",
+    "Posture",
+    "Rotate",
+    "Task",
+    "Translate",
+    "Vector",
+    "check_certificate",
+]
+
+Vector = tuple[Fraction, Fraction, Fraction]
+Posture = tuple[Fraction, ...]
+JointKind = Literal["revolute", "prismatic"]
+Task = Literal["position", "pose"]
+
+JOINTS_OF_TASK: dict[Task, int] = {"position": 3, "pose": 6}
+"""The number of joints that makes the Jacobian matrix of each task square."""
+
+
+@dataclass(frozen=True, slots=True)
+class Translate:
+    """A translation by ``vector``, in the robot's unit of length."""
+
+    vector: Vector
+
+
+@dataclass(frozen=True, slots=True)
+class Rotate:
+    """A rotation by ``half_turns * pi + radians`` about ``axis`` (not zero)."""
+
+    axis: Vector
+    half_turns: Fraction = Fraction(0)
+    radians: Fraction = Fraction(0)
+
+
+Motion = Translate | Rotate
+
+
+@dataclass(frozen=True, slots=True)
+class CertifiedJoint:
+    """A joint and the fixed transform before it.
+
+    The frame of the joint is the previous joint's moved frame followed by
+    ``before``, left to right; the joint turns about, or slides along, the unit
+    vector along ``axis``.
+    """
+
+    name: str
+    kind: JointKind
+    axis: Vector
+    before: tuple[Motion, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Certificate:
+    """The claim that a robot is cuspidal, with all that its proof needs.
+
+    Attributes:
+        robot_name: for the reader; the proof does not use it.
+        task: "position" (3 joints) or "pose" (6 joints).
+        unit: unit of every length, for the reader.
+        joints: base to tip.
+        tool: the fixed transform after the last joint.
+        sign: the sign, 1 or -1, that det J keeps along the path.
+        postures: the first is exact by definition; the second is close to a true one.
+        path: way points joined by straight segments, from the first posture to the
+            second, exactly; rad, or the unit of length.
+        made_by: free text; the proof does not use it.
+    """
+
+    robot_name: str
+    task: Task
+    unit: str
+    joints: tuple[CertifiedJoint, ...]
+    tool: tuple[Motion, ...]
+    sign: Literal[1, -1]
+    postures: tuple[Posture, Posture]
+    path: tuple[Posture, ...]
+    made_by: str = ""
+
+
+def check_certificate(certificate: Certificate, file: str = "certificate") -> None:
+    """Raise unless the parts of ``certificate`` fit together.
+
+    Checked: the task and its number of joints, the sign, two postures, two or more
+    way points, one value a joint in each, every number rational, and no axis of
+    length zero. Whether the claim is true is the business of `verify`.
+
+    Raises:
+        InvalidCertificateError: naming the first part that does not fit.
+    """
+    for where, found, expected in _misfits(certificate):
+        raise InvalidCertificateError(
+            file=file, where=where, found=found, expected=expected
+        )
+
+
+_Misfits = Iterator[tuple[str, str, str]]
+
+
+def _misfits(certificate: Certificate) -> _Misfits:
+    """Each misfit as (where, found, expected)."""
+    if certificate.task not in JOINTS_OF_TASK:
+        yield "robot.task", repr(certificate.task), 'use "position" or "pose"'
+        return
+    joints, needed = certificate.joints, JOINTS_OF_TASK[certificate.task]
+    if len(joints) != needed:
+        expected = f"a {certificate.task} task takes {needed}"
+        yield "robot.joints", f"{len(joints)} joints", expected
+    for index, joint in enumerate(joints):
+        yield from _joint_misfits(joint, f"robot.joints[{index}]")
+    yield from _motion_misfits(certificate.tool, "robot.tool")
+    if certificate.sign not in (1, -1):
+        yield "sign", repr(certificate.sign), "use 1 or -1"
+    if len(certificate.postures) != 2:
+        yield "postures", f"{len(certificate.postures)} postures", "give two"
+    if len(certificate.path) < 2:
+        yield "path", f"{len(certificate.path)} way points", "give at least two"
+    for key, rows in (("postures", certificate.postures), ("path", certificate.path)):
+        for index, row in enumerate(rows):
+            yield from _row_misfits(row, needed, f"{key}[{index}]")
+
+
+def _joint_misfits(joint: CertifiedJoint, where: str) -> _Misfits:
+    if joint.kind not in ("revolute", "prismatic"):
+        yield f"{where}.type", repr(joint.kind), 'use "revolute" or "prismatic"'
+    yield from _axis_misfits(joint.axis, f"{where}.axis")
+    yield from _motion_misfits(joint.before, f"{where}.before")
+
+
+def _motion_misfits(motions: tuple[Motion, ...], where: str) -> _Misfits:
+    for index, motion in enumerate(motions):
+        place = f"{where}[{index}]"
+        if isinstance(motion, Translate):
+            yield from _row_misfits(motion.vector, 3, f"{place}.translate")
+        else:
+            yield from _axis_misfits(motion.axis, f"{place}.rotate")
+            angle = motion.half_turns, motion.radians
+            yield from _row_misfits(angle, 2, f"{place}.angle")
+
+
+def _axis_misfits(axis: Vector, where: str) -> _Misfits:
+    yield from _row_misfits(axis, 3, where)
+    if not any(axis):
+        yield where, "a zero axis", "give a direction"
+
+
+def _row_misfits(row: tuple[Fraction, ...], needed: int, where: str) -> _Misfits:
+    if len(row) != needed:
+        yield where, f"{len(row)} values", f"give {needed}"
+    for index, number in enumerate(row):
+        if not isinstance(number, Rational):
+            yield f"{where}[{index}]", repr(number), "give a rational number"

@@ -1,0 +1,162 @@
+"""From JSON values to a certificate: each key where the schema has it, and no other.
+
+Whatever does not fit is an `InvalidCertificateError` that names the place in the file,
+as ``robot.joints[1].axis[2]``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any, Literal, NoReturn, TypeVar, cast
+
+from cuspaudit.certificate.exact import fraction_from_text
+from cuspaudit.certificate.model import (
+    Certificate,
+    CertifiedJoint,
+    JointKind,
+    Motion,
+    Posture,
+    Rotate,
+    Task,
+    Translate,
+    Vector,
+)
+from cuspaudit.errors import InvalidCertificateError
+
+__all__ = ["SCHEMA", "Place", "certificate_from_json"]
+
+SCHEMA = "cuspaudit/certificate/1"
+
+T = TypeVar("T")
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    """A place in a file, which knows how to complain."""
+
+    file: str
+    where: str = ""
+
+    def fail(self, found: str, expected: str) -> NoReturn:
+        """Raise the error about what stands here."""
+        raise InvalidCertificateError(
+            file=self.file, where=self.where, found=found, expected=expected
+        ) from None
+
+    def key(self, key: str) -> Place:
+        """The value of ``key`` in the object at this place."""
+        return Place(self.file, f"{self.where}.{key}" if self.where else key)
+
+    def item(self, index: int) -> Place:
+        """An item of the list at this place."""
+        return Place(self.file, f"{self.where}[{index}]")
+
+    def table(self, value: Any, *keys: str) -> dict[str, Any]:
+        """``value`` if it is an object with exactly these keys."""
+        if not isinstance(value, dict):
+            self.fail(f"{_short(value)} is no object", f"give the keys {keys}")
+        for key in keys:
+            if key not in value:
+                self.key(key).fail("key is missing", "the file is cut or altered")
+        for key in value:
+            if key not in keys:
+                self.fail(f"unknown key {_short(key)}", f"the keys are {keys}")
+        return value
+
+    def items(self, value: Any, read: Callable[[Any, Place], T]) -> tuple[T, ...]:
+        """``value`` if it is a list, each item read by ``read``."""
+        if not isinstance(value, list):
+            self.fail(f"{_short(value)} is no list", "give a list")
+        return tuple(read(each, self.item(i)) for i, each in enumerate(value))
+
+    def text(self, value: Any) -> str:
+        """``value`` if it is a string."""
+        if not isinstance(value, str):
+            self.fail(f"{_short(value)} is no string", "give a string")
+        return value
+
+
+def certificate_from_json(value: Any, place: Place) -> Certificate:
+    """Return the certificate that a decoded JSON value holds.
+
+    Args:
+        value: what `json.loads` returned.
+        place: the file, for the messages.
+
+    Raises:
+        InvalidCertificateError: a key is missing or unknown, or a value is of the
+            wrong kind.
+    """
+    keys = ("schema", "robot", "sign", "postures", "path", "made_by")
+    if isinstance(value, dict) and value.get("schema", SCHEMA) != SCHEMA:
+        found = f"unknown schema {_short(value['schema'])}"
+        place.key("schema").fail(found, f"this checker reads {SCHEMA}")
+    top = place.table(value, *keys)
+    at = place.key("robot")
+    robot = at.table(top["robot"], "name", "task", "unit", "joints", "tool")
+    sign = top["sign"]
+    if type(sign) is not int or sign not in (1, -1):
+        place.key("sign").fail(_short(sign), "use 1 or -1")
+    postures = place.key("postures").items(top["postures"], _row)
+    return Certificate(
+        robot_name=at.key("name").text(robot["name"]),
+        task=cast(Task, at.key("task").text(robot["task"])),
+        unit=at.key("unit").text(robot["unit"]),
+        joints=at.key("joints").items(robot["joints"], _joint),
+        tool=at.key("tool").items(robot["tool"], _motion),
+        sign=cast(Literal[1, -1], sign),
+        postures=cast(tuple[Posture, Posture], postures),
+        path=place.key("path").items(top["path"], _row),
+        made_by=place.key("made_by").text(top["made_by"]),
+    )
+
+
+def _joint(value: Any, place: Place) -> CertifiedJoint:
+    table = place.table(value, "name", "type", "axis", "before")
+    return CertifiedJoint(
+        name=place.key("name").text(table["name"]),
+        kind=cast(JointKind, place.key("type").text(table["type"])),
+        axis=_vector(table["axis"], place.key("axis")),
+        before=place.key("before").items(table["before"], _motion),
+    )
+
+
+def _motion(value: Any, place: Place) -> Motion:
+    if isinstance(value, dict) and "translate" in value:
+        table = place.table(value, "translate")
+        return Translate(_vector(table["translate"], place.key("translate")))
+    table = place.table(value, "rotate", "angle")
+    at = place.key("angle")
+    angle = at.table(table["angle"], "pi", "rad")
+    return Rotate(
+        axis=_vector(table["rotate"], place.key("rotate")),
+        half_turns=_number(angle["pi"], at.key("pi")),
+        radians=_number(angle["rad"], at.key("rad")),
+    )
+
+
+def _row(value: Any, place: Place) -> Posture:
+    return place.items(value, _number)
+
+
+def _vector(value: Any, place: Place) -> Vector:
+    row = _row(value, place)
+    if len(row) != 3:
+        place.fail(f"{len(row)} values", "give 3")
+    x, y, z = row
+    return x, y, z
+
+
+def _number(value: Any, place: Place) -> Fraction:
+    try:
+        return fraction_from_text(place.text(value))
+    except ValueError as error:
+        place.fail(_short(value), str(error))
+
+
+def _short(value: Any) -> str:
+    """What stands in the file, cut to fit in a message of one line."""
+    text = repr(value)
+    return text if len(text) <= 40 else f"{text[:36]} ..."
