@@ -1,0 +1,149 @@
+"""The audit page: one HTML file, rendered from the audit's JSON, that needs no network.
+
+The template says what is shown and in which order; this module puts the audit's
+numbers into words for it. Nothing is decided here: what the audit does not claim as
+proved is not called proved. Everything from the audit is escaped by the template, and
+the page's own policy lets a browser run no script but ours and fetch nothing at all.
+"""
+
+from __future__ import annotations
+
+import base64
+import hashlib
+import json
+import math
+import re
+from collections.abc import Mapping
+from importlib.resources import files
+from typing import Any
+
+from jinja2 import Environment, PackageLoader, StrictUndefined
+from markupsafe import Markup
+
+from cuspaudit.viz.meshcat_commands import viewer_license, viewer_script
+from cuspaudit.viz.scene import Scene
+from cuspaudit.viz.strip import build_strip
+from cuspaudit.viz.words import (
+    counts,
+    model_rows,
+    no_path_reason,
+    number,
+    posture_rows,
+    proof_rows,
+    verdict_words,
+)
+
+__all__ = ["render_page"]
+
+
+def render_page(
+    audit: Mapping[str, Any],
+    scene: Scene | None = None,
+    *,
+    certificate: str | None = None,
+) -> str:
+    """Render the audit as one self-contained HTML page.
+
+    Args:
+        audit: the audit, schema ``cuspaudit/audit/1``; missing keys count as null.
+        scene: from `build_scene`: the arm on its path, or in a few postures when
+            there is no path. None leaves the animation out.
+        certificate: text of the certificate file, to be offered as a download.
+
+    Returns:
+        HTML that opens from ``file://`` and asks for no other file.
+    """
+    environment = Environment(
+        loader=PackageLoader("cuspaudit.viz"),
+        autoescape=True,
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+    )
+    environment.filters["number"] = number
+    scripts = [viewer_script(), _asset("page.js")] if scene else []
+    return environment.get_template("page.html").render(
+        words=verdict_words(audit),
+        audit=_Tree(audit),
+        scene=scene,
+        strip=build_strip(scene.chain, scene.shown) if scene else None,
+        counts=counts(audit),
+        models=model_rows(audit),
+        proof=proof_rows(audit),
+        postures=posture_rows(audit, scene),
+        no_path=no_path_reason(audit),
+        certificate=_certificate(audit, certificate),
+        audit_link=_data_link(json.dumps(audit, indent=1, default=str)),
+        drawing=_finite(scene.drawing) if scene else None,
+        commands=[base64.b64encode(c).decode() for c in scene.commands]
+        if scene
+        else [],
+        style=Markup(_asset("page.css")),
+        scripts=[Markup(script) for script in scripts],
+        notices=Markup(viewer_license().replace("--", "- -")) if scene else "",
+        policy=_policy(scripts),
+    )
+
+
+class _Tree(dict[str, Any]):
+    """The audit for the template: a key that is missing anywhere reads as null."""
+
+    def __init__(self, values: Mapping[str, Any] | None) -> None:
+        super().__init__(values or {})
+
+    def __missing__(self, key: str) -> Any:
+        return None
+
+    def part(self, key: str) -> _Tree:
+        """The mapping under ``key``, empty when it is null."""
+        value = self.get(key)
+        return _Tree(value if isinstance(value, Mapping) else None)
+
+
+def _certificate(audit: Mapping[str, Any], text: str | None) -> dict[str, str] | None:
+    """Name, command and download link of the certificate, as far as there is one."""
+    witness = audit.get("witness") or {}
+    given = witness.get("certificate")
+    if not given and text is None:
+        return None
+    robot = (audit.get("robot") or {}).get("name") or "robot"
+    plain = re.sub(r"[^A-Za-z0-9._-]+", "-", str(robot)).strip("-.") or "robot"
+    name = re.split(r"[\\/]", str(given))[-1] if given else f"{plain}.certificate.json"
+    shown = name if re.fullmatch(r"[A-Za-z0-9._-]+", name) else f"'{name}'"
+    link = _data_link(text) if text is not None else ""
+    return {"name": name, "command": f"cuspaudit verify {shown}", "link": link}
+
+
+def _data_link(text: str) -> str:
+    return "data:application/json;base64," + _base64(text.encode())
+
+
+def _base64(blob: bytes) -> str:
+    return base64.b64encode(blob).decode("ascii")
+
+
+def _asset(name: str) -> str:
+    return (files("cuspaudit.viz") / "templates" / name).read_text("utf-8")
+
+
+def _finite(value: Any) -> Any:
+    """The value with null for numbers that JSON cannot write."""
+    if isinstance(value, Mapping):
+        return {key: _finite(item) for key, item in value.items()}
+    if isinstance(value, list | tuple):
+        return [_finite(item) for item in value]
+    if isinstance(value, float) and not math.isfinite(value):
+        return None
+    return value
+
+
+def _policy(scripts: list[str]) -> str:
+    """A content security policy: these scripts, inline style, embedded images."""
+    hashes = [
+        _base64(hashlib.sha256(script.encode()).digest()) for script in scripts
+    ]
+    allowed = " ".join(f"'sha256-{digest}'" for digest in hashes) or "'none'"
+    return (
+        f"default-src 'none'; script-src {allowed}; style-src 'unsafe-inline'; "
+        "img-src data: blob:; base-uri 'none'; form-action 'none'"
+    )
