@@ -22,6 +22,7 @@ __all__ = [
     "exact_quotient",
     "leading_coefficient",
     "primitive_part",
+    "rational_factors",
     "resultant",
     "square_free_factors",
 ]
@@ -94,6 +95,19 @@ def square_free_factors(
         if p.is_constant():
             continue
         parts = [p] if ring.radicand else [factor for factor, _ in p.factor()[1]]
+        found += [part for part in parts if part not in found]
+    return found
+
+
+def rational_factors(ring: Ring, polynomials: Iterable[Polynomial]) -> list[Polynomial]:
+    """Irreducible polynomials over Q, distinct, whose zeros contain those of the input.
+
+    Over Q(sqrt m) these are the factors of the norms: the zeros of the conjugate
+    polynomials come along.
+    """
+    found: list[Polynomial] = []
+    for p in polynomials:
+        parts = [factor for factor, _ in ring.norm(p).factor()[1]]
         found += [part for part in parts if part not in found]
     return found
 

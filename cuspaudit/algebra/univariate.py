@@ -6,6 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
+from typing import Any
 
 from flint import arb, arb_poly, ctx, fmpq, fmpq_poly, fmpz_poly
 
@@ -106,6 +107,27 @@ class Univariate:
             lambda: self(root.enclosure(ctx.prec)), "sign at an algebraic number"
         )
 
+    def multiplicity(self, root: RealRoot) -> int:
+        """The multiplicity of ``root`` as a zero of this nonzero polynomial.
+
+        The irreducible polynomial f of the root is divided out of A and B together;
+        what remains is divisible by at most one of the two conjugate factors of f, so
+        its norm tells the rest.
+        """
+        defining = fmpq_poly(root.polynomial)
+        rest, count = self, 0
+        while rest.rational % defining == 0 and rest.surd % defining == 0:
+            rest = Univariate(
+                rest.rational // defining, rest.surd // defining, self.radicand
+            )
+            count += 1
+        if self.radicand is None or rest.sign_at(root) != 0:
+            return count
+        norm = rest.norm
+        while norm % defining == 0:
+            norm, count = norm // defining, count + 1
+        return count
+
 
 @dataclass(frozen=True)
 class RealRoot:
@@ -122,7 +144,7 @@ class RealRoot:
         saved = ctx.prec
         ctx.prec = bits
         try:
-            return _real_balls(self.polynomial)[self.index]
+            return real_balls(self.polynomial)[self.index]
         finally:
             ctx.prec = saved
 
@@ -143,7 +165,7 @@ def real_roots(polynomial: Univariate) -> list[RealRoot]:
         RealRoot(factor, index)
         for factor, _ in polynomial.norm.numer().factor()[1]
         if factor.degree() > 0
-        for index in range(len(_real_balls(factor)))
+        for index in range(len(real_balls(factor)))
     ]
     if polynomial.radicand is not None:
         roots = [root for root in roots if polynomial.sign_at(root) == 0]
@@ -170,7 +192,7 @@ def real_root_balls(polynomials: Sequence[Univariate]) -> list[arb]:
     saved = ctx.prec
     try:
         for ctx.prec in PRECISIONS:
-            balls = [ball for p in integral for ball in _real_balls(p)]
+            balls = [ball for p in integral for ball in real_balls(p)]
             balls.sort(key=lambda ball: ball.mid())
             if all(a < b for a, b in pairwise(balls)):
                 return balls
@@ -179,8 +201,14 @@ def real_root_balls(polynomials: Sequence[Univariate]) -> list[arb]:
     raise PrecisionError("real roots of a product", PRECISIONS[-1])
 
 
-def _real_balls(polynomial: fmpz_poly) -> list[arb]:
-    balls = [root.real for root, _ in polynomial.complex_roots() if root.imag == 0]
+def real_balls(polynomial: fmpz_poly) -> list[arb]:
+    """Balls of the distinct real roots, increasing, at the current precision.
+
+    Complete: FLINT isolates every complex root and returns a real one with imaginary
+    part exactly 0.
+    """
+    pairs: Any = polynomial.complex_roots()
+    balls = [root.real for root, _ in pairs if root.imag == 0]
     return sorted(balls, key=lambda ball: ball.mid())
 
 

@@ -58,6 +58,7 @@ class Roadmap:
         surface: V with the chart in which everything is written.
         parts: numerators of P, Q, S (or P, S) in the chart of the base, over one
             positive denominator.
+        change: the numerator of D.
         critical: the zeros of D, increasing.
         passing: for each zero, the sign of Delta that passes over it; 0 for none.
         strips: between them: strip i lies left of zero i, the last one right of all;
@@ -66,6 +67,7 @@ class Roadmap:
 
     surface: Surface
     parts: tuple[Univariate, ...]
+    change: Univariate
     critical: tuple[RealRoot, ...]
     passing: tuple[int, ...]
     strips: tuple[Strip, ...]
@@ -74,6 +76,17 @@ class Roadmap:
     def is_closed(self) -> bool:
         """Whether the base is a circle."""
         return self.surface.base.kind == "circle"
+
+    @property
+    def walls(self) -> dict[int, RealRoot]:
+        """The zeros of D, by number, over which Delta vanishes on the whole fiber."""
+        return {
+            index: root
+            for index, (root, sign) in enumerate(
+                zip(self.critical, self.passing, strict=True)
+            )
+            if sign == 0 and all(part.sign_at(root) == 0 for part in self.parts)
+        }
 
     def strip_of(self, x: arb, bits: int) -> int | None:
         """The strip of a point of the base, or None when ``x`` is too wide."""
@@ -115,8 +128,10 @@ def roadmap(surface: Surface, delta: Polynomial) -> Roadmap:
     Guarantee: exact. Every zero of D is isolated and the sign of S there is exact.
     """
     function, tells_both = _change(surface, delta)
-    change = _on_base(surface, (function,))[0]
-    parts = _on_base(surface, surface.affine_parts(delta) or ())
+    ring = surface.chart_ring
+    change = Univariate.from_polynomial(ring, surface.chart(function)[0], "x")
+    numerators, _ = surface.on_base(surface.affine_parts(delta) or ())
+    parts = tuple(Univariate.from_polynomial(ring, n, "x") for n in numerators)
     critical = real_roots(change)
     balls = disjoint_balls(critical)
     strips = []
@@ -127,7 +142,7 @@ def roadmap(surface: Surface, delta: Polynomial) -> Roadmap:
         else:
             strips.append(Strip(sample, (parts[-1].sign(sample),)))
     passing = tuple(parts[-1].sign_at(root) for root in critical)
-    return Roadmap(surface, parts, tuple(critical), passing, tuple(strips))
+    return Roadmap(surface, parts, change, tuple(critical), passing, tuple(strips))
 
 
 def _choose_chart(surface: Surface, delta: Polynomial) -> Surface:
@@ -156,16 +171,3 @@ def _change(surface: Surface, delta: Polynomial) -> tuple[Polynomial, bool]:
     else:
         change = surface.reduce(squares[0] + squares[1] - squares[2])
     return (change, True) if change != 0 else (parts[-1], False)
-
-
-def _on_base(
-    surface: Surface, functions: tuple[Polynomial, ...]
-) -> tuple[Univariate, ...]:
-    """Functions on the base in its chart, over one common positive denominator."""
-    ring = surface.chart_ring
-    charted = [surface.chart(function) for function in functions]
-    common = max((d for _, d in charted), key=lambda d: _degree(surface, d))
-    return tuple(
-        Univariate.from_polynomial(ring, n * divmod(common, d)[0], "x")
-        for n, d in charted
-    )

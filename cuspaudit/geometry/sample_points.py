@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from flint import acb_poly, arb, ctx, fmpq
 
 from cuspaudit.algebra.ring import Polynomial
-from cuspaudit.algebra.univariate import PRECISIONS, Univariate
+from cuspaudit.algebra.univariate import PRECISIONS, Univariate, real_balls
 from cuspaudit.errors import PrecisionError
 from cuspaudit.geometry.fibers import FiberPolynomials
 
@@ -123,9 +123,7 @@ def isolated_real_roots(polynomial: Univariate) -> list[arb]:
     ball meets the real axis is real, since its conjugate lies in the same ball.
     """
     if polynomial.radicand is None or polynomial.surd == 0:
-        exact = polynomial.rational.numer().complex_roots()
-        balls = [root.real for root, _ in exact if root.imag == 0]
-    else:
-        found = acb_poly(polynomial.ball_polynomial).roots()
-        balls = [root.real for root in found if root.imag.contains(0)]
+        return real_balls(polynomial.rational.numer())
+    found = acb_poly(polynomial.ball_polynomial).roots()
+    balls = [root.real for root in found if root.imag.contains(0)]
     return sorted(balls, key=lambda ball: ball.mid())

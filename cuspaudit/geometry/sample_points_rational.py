@@ -16,6 +16,7 @@ from flint import fmpq
 from cuspaudit.algebra.elimination import (
     discriminant,
     leading_coefficient,
+    rational_factors,
     resultant,
     square_free_factors,
 )
@@ -63,6 +64,10 @@ def _lift(
         yield from ((x,) for x in _between(ring, polynomials, last, accept, ()))
         return
     projected = _project(ring, polynomials, last)
+    if any(p == 0 for p in projected):
+        polynomials = rational_factors(ring, polynomials)
+        projected = _project(ring, polynomials, last)
+    projected = square_free_factors(ring, projected)
     for point in _lift(ring, projected, tuple(below), lambda point: True):
         values = dict(zip(below, point, strict=True))
         fiber = [ring.substitute(p, values) for p in polynomials]
@@ -71,7 +76,10 @@ def _lift(
 
 
 def _project(ring: Ring, polynomials: list[Polynomial], name: str) -> list[Polynomial]:
-    """The zeros of the result contain every place where the roots change order."""
+    """The zeros of the result contain every place where the roots change order.
+
+    One of them is 0 exactly when the input has a multiple or a common factor.
+    """
     projected = []
     vertical = [p for p in polynomials if p.derivative(name) == 0]
     rest = [p for p in polynomials if p.derivative(name) != 0]
@@ -79,9 +87,7 @@ def _project(ring: Ring, polynomials: list[Polynomial], name: str) -> list[Polyn
         projected.append(leading_coefficient(ring, p, name))
         projected.append(discriminant(ring, p, name))
     projected += [resultant(ring, p, q, name) for p, q in combinations(rest, 2)]
-    if any(p == 0 for p in projected):
-        raise UnableError("sample_points_rational", "a polynomial is not square-free")
-    return square_free_factors(ring, projected + vertical)
+    return projected + vertical
 
 
 def _between(

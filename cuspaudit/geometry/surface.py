@@ -9,6 +9,7 @@ one point the chart misses is not one that matters; on a line the coordinate its
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
@@ -126,6 +127,14 @@ class Surface:
                 term *= below ** (degree - sum(exponents[i] for i in where))
             numerator += term
         return ring.reduce(numerator), denominator
+
+    def on_base(
+        self, functions: Sequence[Polynomial]
+    ) -> tuple[list[Polynomial], Polynomial]:
+        """Functions on the base as (numerators, common denominator > 0) in K[x]."""
+        charted = [self.chart(function) for function in functions]
+        common = max((d for _, d in charted), key=lambda d: int(d.total_degree()))
+        return [n * divmod(common, d)[0] for n, d in charted], common
 
     def coordinates(self, y: arb, x: arb) -> dict[str, arb]:
         """Enclosures of the variables of R^n at chart coordinates (y, x)."""
