@@ -9,6 +9,7 @@ from cuspaudit.kinematics.chain import (
 )
 from cuspaudit.kinematics.reading import read_robot
 from cuspaudit.kinematics.robot import Robot
+from cuspaudit.kinematics.snapping import Snapped, snap
 from cuspaudit.kinematics.task import check_task, lock
 from cuspaudit.kinematics.urdf import read_urdf
 
@@ -18,9 +19,11 @@ __all__ = [
     "Joint",
     "Robot",
     "Rotation",
+    "Snapped",
     "Translation",
     "check_task",
     "lock",
     "read_robot",
     "read_urdf",
+    "snap",
 ]

@@ -27,6 +27,7 @@ from cuspaudit.kinematics.place import Place, quoted
 
 __all__ = [
     "AngleUnit",
+    "decimal_places",
     "format_angle",
     "format_rational",
     "parse_angle",
@@ -138,7 +139,7 @@ def format_rational(value: Fraction) -> str:
     >>> format_rational(Fraction(1, 3)), format_rational(Fraction(1, 10**30))
     ('1/3', '1e-30')
     """
-    places = _decimal_places(value.denominator)
+    places = decimal_places(value.denominator)
     if places is None:
         return f"{value.numerator}/{value.denominator}"
     digits = value.numerator * 10**places // value.denominator
@@ -171,6 +172,15 @@ def format_angle(angle: Angle) -> str:
     sign = "+" if angle.radians > 0 else "-"
     rest = format_rational(abs(angle.radians))
     return f"{_multiple_of_pi(angle.half_turns)} {sign} {rest} rad"
+
+
+def decimal_places(denominator: int) -> int | None:
+    """The least k such that ``denominator`` divides 10**k, or None."""
+    twos = (denominator & -denominator).bit_length() - 1
+    rest, fives = denominator >> twos, 0
+    while rest % 5 == 0:
+        rest, fives = rest // 5, fives + 1
+    return max(twos, fives) if rest == 1 else None
 
 
 def _term(text: str, place: Place, unit: AngleUnit | None) -> Angle:
@@ -221,15 +231,6 @@ def _multiple_of_pi(factor: Fraction) -> str:
     text = "pi" if above == 1 else f"{above}*pi"
     below = "" if factor.denominator == 1 else f"/{factor.denominator}"
     return f"{sign}{text}{below}"
-
-
-def _decimal_places(denominator: int) -> int | None:
-    """The least k such that ``denominator`` divides 10**k, or None."""
-    twos = (denominator & -denominator).bit_length() - 1
-    rest, fives = denominator >> twos, 0
-    while rest % 5 == 0:
-        rest, fives = rest // 5, fives + 1
-    return max(twos, fives) if rest == 1 else None
 
 
 def _check_size(text: str, place: Place, parts: int = 1) -> None:

@@ -55,8 +55,12 @@ def parse_task(text: str, place: Place) -> Task:
     raise place.error(found, f"write one of {', '.join(DIMENSIONS)}")
 
 
-def check_task(chain: Chain) -> None:
+def check_task(chain: Chain, file: str | None = None) -> None:
     """Check that the task has as many dimensions as the chain has joints.
+
+    Args:
+        chain: the chain, joints locked or not.
+        file: what the message begins with; by default the robot's name.
 
     Raises:
         InvalidRobotError: it has not; the message says what to lock.
@@ -77,7 +81,9 @@ def check_task(chain: Chain) -> None:
         expected = f"lock {joints - 3} of {names} and give --task position"
     else:
         expected = "an arm of at least 3 moving joints is needed; choose another tip"
-    raise InvalidRobotError(file=quoted(chain.name), found=found, expected=expected)
+    raise InvalidRobotError(
+        file=file or quoted(chain.name), found=found, expected=expected
+    )
 
 
 def check_limits(chain: Chain, place: Place) -> list[str]:

@@ -32,7 +32,7 @@ _KINDS: dict[str, JointKind] = {
     "prismatic": "prismatic",
 }
 _MOST_TIPS = 50
-_ABSURD = 10**12
+_ABSURD = Fraction(10**6)
 
 
 def read_urdf(
@@ -187,11 +187,11 @@ def _several(tree: Tree, base: str, tips: Sequence[str]) -> InvalidRobotError:
 
 
 def _scale_notes(chain: Chain) -> list[str]:
-    """A remark when lengths differ so much that one of them must be a mistake."""
+    """A remark when a length is so long that it must be a mistake."""
     motions = [m for joint in chain.joints for m in joint.before] + [*chain.tool]
-    sizes = [
-        abs(x) for m in motions if isinstance(m, Translation) for x in m.vector if x
+    return [
+        f"{motion.source} is longer than 1000 km: a mistake?"
+        for motion in motions
+        if isinstance(motion, Translation)
+        and max(abs(x) for x in motion.vector) > _ABSURD
     ]
-    if not sizes or max(sizes) / min(sizes) < Fraction(_ABSURD):
-        return []
-    return ["the longest length is more than 1e12 times the shortest: a mistake?"]

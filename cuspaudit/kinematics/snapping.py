@@ -1,0 +1,174 @@
+"""The snapped chain: what the designer meant by the numbers a file prints.
+
+A file writes pi/2 as 1.5708, 1.57 or 1.570796326589793, and a parallel axis with
+3.7e-6 left over from a CAD system. As printed, such axes neither meet nor stand
+parallel; snapped they do. Every number that is replaced is listed with its
+replacement, and the literal chain stays what it is.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from fractions import Fraction
+
+from cuspaudit.kinematics.axes import scaled_axis, unit_axis
+from cuspaudit.kinematics.chain import (
+    Angle,
+    Chain,
+    Joint,
+    Motion,
+    Rotation,
+    Translation,
+    Vector,
+)
+from cuspaudit.kinematics.frames import angle_value
+from cuspaudit.kinematics.numbers import decimal_places, format_angle
+
+__all__ = ["DEFAULT_POLICY", "SnapPolicy", "Snapped", "snap"]
+
+_PI = Fraction("3.14159265358979323846264338327950288419716939937510")
+
+
+@dataclass(frozen=True, slots=True)
+class SnapPolicy:
+    """Which numbers are taken for others.
+
+    An angle in rad that is a multiple of pi/2 rounded or cut at its own last decimal
+    (the second or a later one) always counts as that multiple.
+
+    Attributes:
+        angle: distance in rad from a multiple of pi/6 or pi/4, 0 included, below
+            which an angle counts as that multiple.
+        length: in m, below which a component of a translation counts as 0.
+        axis: below which a component of an axis, beside a largest one of 1, is 0.
+    """
+
+    angle: Fraction = Fraction(1, 10**5)
+    length: Fraction = Fraction(2, 10**6)
+    axis: Fraction = Fraction(1, 10**5)
+
+
+DEFAULT_POLICY = SnapPolicy()
+
+
+@dataclass(frozen=True, slots=True)
+class Snapped:
+    """One number that was replaced.
+
+    Attributes:
+        where: its place in the file, such as "joint_2 rpy[0]" or "joint_2 alpha".
+        given: what stands there, in rad or the chain's unit.
+        used: the exact text of what is used instead.
+        difference: used minus given.
+    """
+
+    where: str
+    given: float
+    used: str
+    difference: float
+
+
+def snap(
+    chain: Chain, policy: SnapPolicy = DEFAULT_POLICY
+) -> tuple[Chain, tuple[Snapped, ...]]:
+    """The snapped chain and the list of what was snapped, base to tip.
+
+    Limits are left alone. With nothing to snap the chain itself comes back.
+    """
+    record: list[Snapped] = []
+    reach = policy.length * (1000 if chain.unit == "mm" else 1)
+    joints = [_joint(joint, policy, reach, record) for joint in chain.joints]
+    tool = _motions(chain.tool, policy, reach, record)
+    if not record:
+        return chain, ()
+    return replace(chain, joints=tuple(joints), tool=tool), tuple(record)
+
+
+def _joint(
+    joint: Joint, policy: SnapPolicy, reach: Fraction, record: list[Snapped]
+) -> Joint:
+    before = _motions(joint.before, policy, reach, record)
+    axis = joint.axis
+    small = _small(scaled_axis(axis), policy.axis)
+    if small:
+        kept = [Fraction(0) if k in small else x for k, x in enumerate(axis)]
+        for k in small:
+            _note(record, f"{joint.name} axis[{k}]", float(axis[k]))
+        direction: Vector = (kept[0], kept[1], kept[2])
+        axis = unit_axis(direction) or direction
+    return replace(joint, before=before, axis=axis)
+
+
+def _motions(
+    motions: tuple[Motion, ...],
+    policy: SnapPolicy,
+    reach: Fraction,
+    record: list[Snapped],
+) -> tuple[Motion, ...]:
+    """The motions with their numbers replaced; those that became 0 are left out."""
+    result: list[Motion] = []
+    for motion in motions:
+        if isinstance(motion, Translation):
+            vector = _vector(motion, reach, record)
+            if any(vector):
+                result.append(replace(motion, vector=vector))
+        else:
+            angle = _angle(motion, policy, record)
+            if not angle.is_zero:
+                result.append(replace(motion, angle=angle))
+    return tuple(result)
+
+
+def _vector(motion: Translation, reach: Fraction, record: list[Snapped]) -> Vector:
+    small = _small(motion.vector, reach)
+    for k in small:
+        place = f"[{k}]" if motion.source.endswith("xyz") else ""
+        _note(record, motion.source + place, float(motion.vector[k]))
+    x, y, z = (Fraction(0) if k in small else v for k, v in enumerate(motion.vector))
+    return x, y, z
+
+
+def _angle(motion: Rotation, policy: SnapPolicy, record: list[Snapped]) -> Angle:
+    """The angle meant by a number in rad; one written with pi or deg is kept."""
+    given = motion.angle
+    if given.half_turns or not given.radians:
+        return given
+    used = _meant(given.radians, policy)
+    if used is None:
+        return given
+    difference = float(used.half_turns * _PI - given.radians)
+    text = format_angle(used)
+    record.append(Snapped(motion.source, angle_value(given), text, difference))
+    return used
+
+
+def _meant(radians: Fraction, policy: SnapPolicy) -> Angle | None:
+    """The multiple of pi that ``radians`` stands for, if any."""
+    right = Fraction(round(2 * radians / _PI), 2)
+    if _is_printed(radians, right * _PI):
+        return Angle(right)
+    for parts in (6, 4):
+        multiple = Fraction(round(parts * radians / _PI), parts)
+        if abs(radians - multiple * _PI) <= policy.angle:
+            return Angle(multiple)
+    return None
+
+
+def _is_printed(value: Fraction, exact: Fraction) -> bool:
+    """Whether ``value`` is ``exact``, not 0, rounded or cut at its own last decimal."""
+    places = decimal_places(value.denominator)
+    if places is None or places < 2 or exact == 0:
+        return False
+    shift = 10**places
+    cut = int(abs(exact) * shift)
+    sign = 1 if exact > 0 else -1
+    return sign * value * shift in (cut, round(abs(exact) * shift))
+
+
+def _small(vector: Vector, bound: Fraction) -> list[int]:
+    """The components that are not 0 and at most ``bound``."""
+    return [k for k, value in enumerate(vector) if 0 < abs(value) <= bound]
+
+
+def _note(record: list[Snapped], where: str, given: float) -> None:
+    record.append(Snapped(where, given, "0", -given))
