@@ -18,6 +18,7 @@ __all__ = [
     "X_AXIS",
     "Y_AXIS",
     "Z_AXIS",
+    "reverse",
     "Angle",
     "Chain",
     "Joint",
@@ -145,3 +146,37 @@ class Chain:
     def with_joints(self, joints: Sequence[Joint]) -> Chain:
         """The same chain with other joints."""
         return replace(self, joints=tuple(joints))
+
+
+def reverse(chain: Chain) -> Chain:
+    """The chain from tip to base: its pose is the inverse of the pose of ``chain``.
+
+    Joint values keep their meaning, joints come in reverse order and every axis
+    points the other way.
+    """
+    fixed = [joint.before for joint in chain.joints] + [chain.tool]
+    joints = [
+        replace(joint, before=_inverse(after), axis=_opposite(joint.axis))
+        for joint, after in zip(chain.joints, fixed[1:], strict=True)
+    ]
+    return replace(
+        chain,
+        joints=tuple(reversed(joints)),
+        tool=_inverse(fixed[0]),
+        base=chain.tip,
+        tip=chain.base,
+    )
+
+
+def _inverse(motions: Sequence[Motion]) -> tuple[Motion, ...]:
+    return tuple(
+        Translation(_opposite(motion.vector))
+        if isinstance(motion, Translation)
+        else Rotation(motion.axis, -motion.angle)
+        for motion in reversed(motions)
+    )
+
+
+def _opposite(vector: Vector) -> Vector:
+    x, y, z = vector
+    return (-x, -y, -z)

@@ -26,7 +26,7 @@ from cuspaudit.kinematics.chain import (
     Rotation,
     Translation,
 )
-from cuspaudit.kinematics.dh_rows import Row, check_known, parse_rows, word
+from cuspaudit.kinematics.dh_rows import COLUMNS, Row, check_known, parse_rows, word
 from cuspaudit.kinematics.frames import angle_value
 from cuspaudit.kinematics.numbers import AngleUnit
 from cuspaudit.kinematics.place import Place, quoted
@@ -65,7 +65,7 @@ def read_dh(
     """
     path = Path(path)
     place = Place(str(path))
-    table = read_table(path, place)
+    table = read_table(path, COLUMNS, place)
     head = table.head
     check_known(head, _HEAD, place)
     length_unit, angles = _units(head, angle_unit, place)

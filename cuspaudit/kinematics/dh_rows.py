@@ -11,13 +11,21 @@ from cuspaudit.kinematics.chain import Angle, JointKind
 from cuspaudit.kinematics.numbers import AngleUnit, parse_angle, parse_length
 from cuspaudit.kinematics.place import Place, quoted
 
-__all__ = ["MOST_JOINTS", "Limits", "Row", "check_known", "parse_rows", "word"]
+__all__ = [
+    "COLUMNS",
+    "MOST_JOINTS",
+    "Limits",
+    "Row",
+    "check_known",
+    "parse_rows",
+    "word",
+]
 
 MOST_JOINTS = 50
 
 Limits = tuple[Angle, Angle] | tuple[Fraction, Fraction] | None
 
-_COLUMNS = (
+COLUMNS = (
     *("joint", "name", "type", "theta", "d", "a", "alpha", "sign"),
     *("limits", "qmin", "qmax", "convention"),
 )
@@ -77,7 +85,7 @@ def parse_rows(
     result: list[Row] = []
     for number, cells in enumerate(rows, 1):
         here = place.at(f"row {number}")
-        check_known(cells, _COLUMNS, here)
+        check_known(cells, COLUMNS, here)
         row = _row(cells, _joint_name(cells, number, here), unit, here)
         if row.name in [other.name for other in result]:
             found = f"the joint name {quoted(row.name)} stands twice"

@@ -10,7 +10,7 @@ import csv
 import io
 import json
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, NoReturn
@@ -40,8 +40,13 @@ class Table:
     rows: Sequence[Mapping[str, object]]
 
 
-def read_table(path: Path, place: Place) -> Table:
+def read_table(path: Path, columns: Collection[str], place: Place) -> Table:
     """The table in ``path``, by the ending of its name.
+
+    Args:
+        path: a .csv or .json file; any other is read as YAML.
+        columns: the column names that a CSV header may hold.
+        place: the file, for messages.
 
     Raises:
         InvalidRobotError: it cannot be read, decoded or parsed.
@@ -49,7 +54,7 @@ def read_table(path: Path, place: Place) -> Table:
     text = _text(path, place)
     suffix = path.suffix.lower()
     if suffix == ".csv":
-        return _from_csv(text, place)
+        return _from_csv(text, columns, place)
     entries = _json(text, place) if suffix == ".json" else _yaml(text, place)
     if not isinstance(entries, dict):
         found = "the file is not a mapping of keys to values"
@@ -150,7 +155,7 @@ def _json(text: str, place: Place) -> object:
         raise place.error("too many levels", "nest at most three levels") from None
 
 
-def _from_csv(text: str, place: Place) -> Table:
+def _from_csv(text: str, columns: Collection[str], place: Place) -> Table:
     lines = text.splitlines()
     start = next(
         (k for k, line in enumerate(lines) if line.strip() and line.lstrip()[0] != "#"),
@@ -169,11 +174,18 @@ def _from_csv(text: str, place: Place) -> Table:
         raise place.error(str(error), "write one joint a line") from None
     if not cells:
         raise place.error("the file is empty", "write a line of column names")
-    return Table(_settings(lines[:start]), _rows(cells, place))
+    return Table(_settings(lines[:start]), _rows(cells, columns, place))
 
 
-def _rows(cells: list[list[str]], place: Place) -> list[Mapping[str, object]]:
+def _rows(
+    cells: list[list[str]], columns: Collection[str], place: Place
+) -> list[Mapping[str, object]]:
     names = [name.lower() for name in cells[0]]
+    for name in names:
+        if name not in columns:
+            found = f"the column name {quoted(name)} is unknown"
+            expected = f"begin with a line of names out of {', '.join(sorted(columns))}"
+            raise place.at("header").error(found, expected)
     if len(set(names)) < len(names):
         found = f"a column name stands twice: {quoted(', '.join(names))}"
         raise place.at("header").error(found, "write it once")

@@ -68,11 +68,11 @@ def check_task(chain: Chain, file: str | None = None) -> None:
     joints, dimension = len(chain.joints), DIMENSIONS[chain.task]
     if joints == dimension:
         return
-    found = f"{joints} joints for a {chain.task} task of {dimension} dimensions"
+    count = "1 joint" if joints == 1 else f"{joints} joints"
+    found = f"{count} for a {chain.task} task of {dimension} dimensions"
     names = listing([joint.name for joint in chain.joints])
     if joints > dimension:
-        count = joints - dimension
-        expected = f"lock {count} of {names} by --lock JOINT=VALUE"
+        expected = f"lock {joints - dimension} of {names} by --lock JOINT=VALUE"
         if joints == 6:
             expected += ", or give --task pose"
     elif joints == 3:

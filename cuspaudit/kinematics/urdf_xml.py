@@ -19,16 +19,14 @@ __all__ = ["JointElement", "RobotElement", "read_xml"]
 
 _MOST_BYTES = 30_000_000
 _MOST_DEPTH = 100
-_PARTS = {
-    *("parent", "child", "origin", "axis", "limit", "mimic"),
-}
+_PARTS = {"parent", "child", "origin", "axis", "limit", "mimic"}
 _LEFT_BY_XACRO = {"property", "arg"}
 _ROOTS = {
-    "html": "a saved web page; download the file itself",
-    "mujoco": "an MJCF model; convert it to URDF",
-    "sdf": "an SDF model; convert it to URDF",
-    "svg": "a picture; give the URDF",
-    "COLLADA": "a mesh; give the URDF",
+    "html": ("a saved web page", "download the file itself"),
+    "mujoco": ("an MJCF model", "convert it to URDF"),
+    "sdf": ("an SDF model", "convert it to URDF"),
+    "svg": ("a picture", "give the URDF"),
+    "collada": ("a mesh", "give the URDF"),
 }
 
 
@@ -135,7 +133,7 @@ class _Reader:
 
     def _doctype(self, name: str, *rest: object) -> None:
         if name.lower() in _ROOTS:
-            raise self._line().error(f"{_ROOTS[name.lower()]}", "give a URDF file")
+            raise self._line().error(*_ROOTS[name.lower()])
         found = "a document type declaration"
         raise self._line().error(found, "remove it: a URDF has no DTD or entities")
 
@@ -162,9 +160,9 @@ class _Reader:
 
     def _root(self, space: str, name: str, attributes: dict[str, str]) -> None:
         if name != "robot":
-            kind = _ROOTS.get(name, "give a URDF file")
-            found = f"the root element is <{name[:40]}>, not <robot>"
-            raise self._line().error(found, kind)
+            kind, expected = _ROOTS.get(name.lower(), ("", "give a URDF file"))
+            found = f"the root element is {quoted(name)}, not robot"
+            raise self._line().error(f"{kind}: {found}" if kind else found, expected)
         self.namespace = space
         self.robot.name = attributes.get("name", "")
 
