@@ -32,7 +32,7 @@ class NumericPolynomial:
         self.exponents = self.exponents.reshape(len(terms), n)
         self.coefficients: Array = np.array(
             [
-                int(value.p) / int(value.q) * root ** sum(key[n:])
+                int(value.p) / int(value.q) * root ** int(sum(key[n:]))
                 for key, value in terms.items()
             ],
             dtype=np.float64,

@@ -32,9 +32,15 @@ def rationals_between(low: arb | None, high: arb | None) -> Iterator[fmpq]:
 def simplest_between(low: fmpq, high: fmpq) -> fmpq:
     """The rational of least denominator in the closed interval [low, high].
 
+    Odd: the result for [-high, -low] is the negative.
+
     >>> simplest_between(fmpq(314, 100), fmpq(315, 100))
     22/7
     """
+    if low <= 0 <= high:
+        return fmpq(0)
+    if high < 0:
+        return -simplest_between(-high, -low)
     whole = low.floor()
     if whole == low:
         return low

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
 import networkx as nx
 
@@ -24,7 +25,8 @@ class RoadmapGraph:
 
     Attributes:
         graph: a vertex (strip, sign) for every arc of the roadmap over a strip; an
-            edge where two arcs are joined over a zero of D.
+            edge where two arcs are joined over a zero of D, or (``around``) over the
+            point of the base circle without chart.
         aspects: for every vertex the number of its connected component.
         placed: the vertex of every query point.
     """
@@ -40,6 +42,15 @@ class RoadmapGraph:
     def aspect(self, posture: Posture) -> int:
         """The number of the aspect a query point lies in."""
         return self.aspects[self.placed[posture]]
+
+    def turns(self, first: Posture, second: Posture) -> int:
+        """How often a way between two connected postures goes round the base circle.
+
+        Counted with sign: crossings of the point without chart, upwards positive.
+        """
+        way = nx.shortest_path(self.graph, self.placed[first], self.placed[second])
+        around = (e for e in pairwise(way) if self.graph.edges[e].get("around"))
+        return sum(1 if a[0] > b[0] else -1 for a, b in around)
 
     @property
     def number_of_aspects(self) -> int:
@@ -71,7 +82,9 @@ def graph_isotop(
             graph.add_edge((index, sign), (index + 1, sign))
     last = len(roadmap.strips) - 1
     if roadmap.is_closed and last:
-        graph.add_edges_from(((0, s), (last, s)) for s in roadmap.strips[0].signs)
+        for sign in roadmap.strips[0].signs:
+            if not graph.has_edge((0, sign), (last, sign)):
+                graph.add_edge((0, sign), (last, sign), around=True)
     aspects = {
         vertex: number
         for number, component in enumerate(nx.connected_components(graph))

@@ -18,7 +18,6 @@ __all__ = [
     "X_AXIS",
     "Y_AXIS",
     "Z_AXIS",
-    "reverse",
     "Angle",
     "Chain",
     "Joint",
@@ -28,6 +27,7 @@ __all__ = [
     "Task",
     "Translation",
     "Vector",
+    "reverse",
 ]
 
 Vector = tuple[Fraction, Fraction, Fraction]

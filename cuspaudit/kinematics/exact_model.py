@@ -322,13 +322,17 @@ _TABLE = _build_table()
 
 
 def _near_cos_sin(angle: Angle, tolerance: Fraction) -> tuple[fmpq, fmpq]:
-    """A rational point of the circle within ``tolerance`` of the angle."""
+    """A rational point of the circle within ``tolerance`` of the angle.
+
+    The opposite angle gives the conjugate point, so that axes that two such turns
+    make parallel stay parallel.
+    """
     saved, ctx.prec = ctx.prec, _BITS
     try:
         value = arb(rational(angle.half_turns)) * arb.pi() + arb(
             rational(angle.radians)
         )
-        quarter = int(exact_rational(2 * value / arb.pi() + arb(0.5)).floor())
+        quarter = round(float(2 * value / arb.pi()))
         t = _simplest(((value - quarter * arb.pi() / 2) / 2).tan(), tolerance / 2)
     finally:
         ctx.prec = saved

@@ -1,0 +1,206 @@
+"""Exact reductions of a six-joint arm [DESIGN 6.1].
+
+Each is a theorem; its hypotheses are tested exactly on the model, and its proof is in
+the docstring of the function that applies it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from typing import Literal
+
+from cuspaudit.algebra.rationals import exact_rational
+from cuspaudit.algebra.ring import Polynomial, Ring
+from cuspaudit.kinematics.chain import Translation, Vector, reverse
+from cuspaudit.kinematics.exact_model import (
+    Column,
+    ExactModel,
+    Transform,
+    cross,
+    dot,
+    exact_model,
+)
+
+__all__ = ["LOOKED_FOR", "Reduction", "reduce_six_joints"]
+
+LOOKED_FOR = (
+    "a spherical wrist with right-angle twists (axes 4, 5, 6 concurrent)",
+    "a spherical shoulder with right-angle twists (axes 1, 2, 3 concurrent)",
+    "the UR pattern (axes 2, 3, 4 parallel, a1 = a4 = a5 = 0, right-angle twists)",
+)
+
+
+@dataclass(frozen=True)
+class Reduction:
+    """A theorem that applies to a six-joint arm.
+
+    Attributes:
+        kind: its name.
+        why: what it says of this arm, one sentence.
+        regional: the three-joint arm that decides, or None when the theorem says
+            noncuspidal by itself.
+        is_reversed: whether ``regional`` belongs to the arm taken from tip to base.
+    """
+
+    kind: Literal["spherical wrist", "spherical shoulder", "UR pattern"]
+    why: str
+    regional: ExactModel | None = None
+    is_reversed: bool = False
+
+
+def reduce_six_joints(model: ExactModel) -> Reduction | None:
+    """The first theorem whose hypotheses hold exactly for ``model``, or None."""
+    if model.chain.kinds != ("revolute",) * 6:
+        return None
+    for attempt in (_spherical_wrist, _spherical_shoulder, _ur_pattern):
+        reduction = attempt(model)
+        if reduction is not None:
+            return reduction
+    return None
+
+
+def _spherical_wrist(model: ExactModel) -> Reduction | None:
+    """Cuspidal if and only if the regional 3R arm is.
+
+    Hypotheses: axes 4, 5, 6 meet in one point W; axes 4 and 5, and 5 and 6, are
+    orthogonal. Then det J = +-det J3(theta1..3) sin(theta5 + const), where J3 belongs
+    to the first three joints moving W, so a posture is nonsingular when both are.
+
+    Regional couple => couple. Let a path of theta1..3 join two postures of one W with
+    det J3 != 0. Start with the wrist at sin > 0. At the end the wanted orientation is
+    reached by a wrist posture with sin >= 0 (Euler angles reach every rotation, and
+    (theta4 + pi, -theta5, theta6 + pi) is the other one); for all but one circle of
+    orientations sin > 0, and the start is free to choose. {sin > 0} is connected, so
+    the two wrist postures are joined in it.
+
+    Couple => regional couple. The projection of the path to theta1..3 keeps
+    det J3 != 0, and both ends hold W in one place. If they agree in theta1..3, the
+    wrists differ, hence have opposite signs of sin (two wrist postures of one
+    orientation do), which the path cannot: so the ends differ in theta1..3.
+    """
+    if not (_orthogonal(model, 4) and _meet(model, 4)):
+        return None
+    if not (_orthogonal(model, 5) and _meet(model, 5)):
+        return None
+    fifth, sixth = model.joints[4], model.joints[5]
+    here = -dot(model.ring, fifth.before.translation, _direction(model, 4))
+    there = dot(model.ring, sixth.before.translation, fifth.axis)
+    if model.ring.reduce(here - there) != 0:
+        return None
+    return Reduction(
+        "spherical wrist",
+        "axes 4, 5, 6 meet in one point at right angles, so the arm is cuspidal "
+        "exactly when its first three joints, moving that point, are",
+        _regional(model),
+    )
+
+
+def _spherical_shoulder(model: ExactModel) -> Reduction | None:
+    """The arm taken from tip to base has a spherical wrist.
+
+    The pose of base seen from tip is the inverse motion, a diffeomorphism of SE(3):
+    postures of one pose, singular postures and paths are the same for both.
+    """
+    back = exact_model(reverse(model.chain))
+    wrist = _spherical_wrist(back)
+    if wrist is None:
+        return None
+    return Reduction(
+        "spherical shoulder",
+        "axes 1, 2, 3 meet in one point at right angles, so the arm is cuspidal "
+        "exactly when its last three joints, taken from tip to base, are",
+        wrist.regional,
+        is_reversed=True,
+    )
+
+
+def _ur_pattern(model: ExactModel) -> Reduction | None:
+    """Noncuspidal: three signs tell the postures of a pose apart.
+
+    Hypotheses: axes 2, 3, 4 parallel; axes 1 and 2, 4 and 5, 5 and 6 meet at right
+    angles; axes 2 and 3, and 3 and 4, do not coincide. Then
+    det J = -a2 a3 s3 s5 E with E = a2 c2 + a3 c23 + d5 sin(theta2 + theta3 + theta4)
+    (up to signs and joint zeros), E the coordinate of the point Q where axes 5 and 6
+    meet, across axis 1 in the plane orthogonal to axis 2. Given the pose, Q is known.
+    Its distance from axis 1 is sqrt(E^2 + d^2), d constant, so |E| is known and the
+    sign of E fixes theta1. Then the angle between axis 6 and axis 2 gives cos theta5,
+    the sign of s5 fixes theta5, and with s5 != 0 theta6 and theta2 + theta3 + theta4
+    follow. Last, joints 2, 3 are a planar arm with known end, whose elbow the sign of
+    s3 fixes. So a nonsingular posture is known from its pose and three signs, which
+    are constant along a nonsingular path: two postures of one pose in one aspect are
+    equal [Capco, Safey El Din, Schicho, ISSAC 2020].
+    """
+    parallel = _parallel(model, 2) and _parallel(model, 3)
+    square = all(_orthogonal(model, i) and _meet(model, i) for i in (1, 4, 5))
+    if not (parallel and square) or _coincide(model, 2) or _coincide(model, 3):
+        return None
+    return Reduction(
+        "UR pattern",
+        "axes 2, 3, 4 are parallel and axes 1-2, 4-5, 5-6 meet at right angles: the "
+        "signs of the three factors of det J tell all postures of a pose apart",
+    )
+
+
+def _regional(model: ExactModel) -> ExactModel:
+    """The first three joints, moving the wrist center.
+
+    Its model is exact; the tool of its chain, which only a search in floating point
+    reads, holds the wrist center to the working precision.
+    """
+    ring, fourth = model.ring, model.joints[3]
+    along = dot(ring, model.joints[4].before.translation, fourth.axis)
+    center = fourth.before.apply(tuple(along * x for x in fourth.axis))
+    tool = Transform(ring, fourth.before.rotation, center)
+    step = Translation(_near(ring, tuple(along * x for x in fourth.axis)))
+    chain = replace(
+        model.chain.with_joints(model.chain.joints[:3]),
+        task="position",
+        tool=(*model.chain.joints[3].before, step),
+    )
+    return replace(model, chain=chain, joints=model.joints[:3], tool=tool)
+
+
+def _near(ring: Ring, point: Column) -> Vector:
+    values = (exact_rational(ring.evaluate(entry, {})) for entry in point)
+    x, y, z = (Fraction(int(v.p), int(v.q)) for v in values)
+    return (x, y, z)
+
+
+def _direction(model: ExactModel, number: int) -> Column:
+    """The axis after joint ``number``, in the frame of that joint."""
+    following = model.joints[number]
+    return following.before.turn(following.axis)
+
+
+def _pair(
+    model: ExactModel,
+    number: int,
+    test: Callable[[Column, Column], Polynomial | Column],
+) -> bool:
+    value = test(model.joints[number - 1].axis, _direction(model, number))
+    entries = value if isinstance(value, tuple) else (value,)
+    return all(model.ring.reduce(entry) == 0 for entry in entries)
+
+
+def _orthogonal(model: ExactModel, number: int) -> bool:
+    """Whether axes ``number`` and ``number`` + 1 are at right angles."""
+    return _pair(model, number, lambda a, b: dot(model.ring, a, b))
+
+
+def _parallel(model: ExactModel, number: int) -> bool:
+    """Whether axes ``number`` and ``number`` + 1 are parallel."""
+    return _pair(model, number, lambda a, b: cross(model.ring, a, b))
+
+
+def _meet(model: ExactModel, number: int) -> bool:
+    """Whether axes ``number`` and ``number`` + 1 lie in one plane."""
+    ring, step = model.ring, model.joints[number].before.translation
+    return _pair(model, number, lambda a, b: dot(ring, step, cross(ring, a, b)))
+
+
+def _coincide(model: ExactModel, number: int) -> bool:
+    """Whether two parallel axes are one line."""
+    ring, step = model.ring, model.joints[number].before.translation
+    return _pair(model, number, lambda a, b: cross(ring, step, a))
