@@ -28,7 +28,9 @@ class NumericPolynomial:
         n = len(ring.variables)
         root = math.sqrt(ring.radicand or 0)
         terms = ring.reduce(polynomial).to_dict()
-        self.exponents = np.array([key[:n] for key in terms], dtype=np.int64)
+        self.exponents = np.array(
+            [[int(e) for e in key[:n]] for key in terms], dtype=np.int64
+        )
         self.exponents = self.exponents.reshape(len(terms), n)
         self.coefficients: Array = np.array(
             [
