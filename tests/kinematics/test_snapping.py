@@ -1,0 +1,168 @@
+from __future__ import annotations
+
+import json
+import math
+from fractions import Fraction
+from itertools import pairwise
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from cuspaudit.kinematics.chain import (
+    X_AXIS,
+    Z_AXIS,
+    Angle,
+    Chain,
+    Joint,
+    Rotation,
+    Translation,
+)
+from cuspaudit.kinematics.frames import frames
+from cuspaudit.kinematics.snapping import SnapPolicy, snap
+from cuspaudit.kinematics.urdf import read_urdf
+
+Line = tuple[np.ndarray, np.ndarray]
+
+
+def turned(text: str) -> Chain:
+    """A chain of one joint behind a twist of ``text`` rad."""
+    angle = Angle(radians=Fraction(text))
+    return Chain(
+        "arm", (Joint("j", "revolute", (Rotation(X_AXIS, angle, "j rpy[0]"),)),)
+    )
+
+
+@pytest.mark.parametrize(
+    ("text", "used"),
+    [
+        ("1.57", "pi/2"),
+        ("-1.571", "-pi/2"),
+        ("1.5708", "pi/2"),
+        ("1.5707", "pi/2"),
+        ("3.14", "pi"),
+        ("3.1416", "pi"),
+        ("-3.141592653589793", "-pi"),
+        ("4.71", "3*pi/2"),
+        ("1.570796326589793", "pi/2"),
+        ("1.57080287682252", "pi/2"),
+        ("1.0471975511965976", "pi/3"),
+        ("0.7854", "pi/4"),
+        ("0.0000036732051036", "0"),
+    ],
+)
+def test_printed_multiples_of_pi(text: str, used: str) -> None:
+    """A multiple of pi rounded or cut anywhere is taken for it, and listed."""
+    chain, (record,) = snap(turned(text))
+    assert (record.where, record.used) == ("j rpy[0]", used)
+    assert record.given == float(text)
+    exact = chain.joints[0].before[0].angle if chain.joints[0].before else Angle()
+    assert exact.radians == 0
+    expected = float(exact.half_turns) * math.pi - record.given
+    assert record.difference == pytest.approx(expected, abs=1e-15)
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["0.0486795", "1.5", "1.6", "1.58", "1.5690123", "0.0001", "3.1", "1.535866"],
+)
+def test_genuine_angles_survive(text: str) -> None:
+    """An angle that no truncation of a multiple of pi prints is left as it is."""
+    chain = turned(text)
+    assert snap(chain) == (chain, ())
+
+
+def test_exact_angles_survive() -> None:
+    """What is written with pi or in degrees is exact and is left as it is."""
+    angle = Angle(Fraction(1, 2), Fraction(1, 10**6))
+    chain = Chain("arm", (Joint("j", "revolute", (Rotation(X_AXIS, angle),)),))
+    assert snap(chain) == (chain, ())
+
+
+@pytest.mark.parametrize(
+    ("unit", "text", "kept"),
+    [
+        ("m", "0.000002", False),
+        ("m", "0.00035", True),
+        ("m", "0.0000021", True),
+        ("mm", "0.002", False),
+        ("mm", "0.35", True),
+    ],
+)
+def test_only_noise_in_a_length_goes(unit: str, text: str, kept: bool) -> None:
+    """At most 2e-6 m counts as 0; a genuine 0.35 mm offset survives, in any unit."""
+    shift = Translation((Fraction(text), Fraction(1), Fraction(0)), "j xyz")
+    chain = Chain("arm", (Joint("j", "revolute", (shift,)),), unit=unit)
+    snapped, record = snap(chain)
+    assert (snapped == chain) == kept
+    assert [(r.where, r.used) for r in record] == ([] if kept else [("j xyz[0]", "0")])
+
+
+def test_noise_in_an_axis_goes() -> None:
+    """An axis that is a coordinate axis but for noise becomes it, exactly."""
+    axis = (Fraction(-3, 10**6), Fraction(0), Fraction(1))
+    chain, (record,) = snap(Chain("arm", (Joint("j", "revolute", (), axis),)))
+    assert chain.joints[0].axis == Z_AXIS
+    assert (record.where, record.given) == ("j axis[0]", -3e-6)
+
+
+def test_a_policy_can_be_stricter() -> None:
+    """With tolerances of 0 only printed multiples of a right angle are snapped."""
+    strict = SnapPolicy(Fraction(0), Fraction(0), Fraction(0))
+    assert snap(turned("1.57080287682252"), strict)[1] == ()
+    assert len(snap(turned("1.5708"), strict)[1]) == 1
+
+
+def lines(chain: Chain) -> list[Line]:
+    """Direction and a point of each joint axis at posture 0."""
+    result = []
+    placed = frames(chain, [0.0] * len(chain.joints))[:-1]
+    for joint, frame in zip(chain.joints, placed, strict=True):
+        axis = np.array([float(x) for x in joint.axis])
+        result.append((frame[:3, :3] @ axis / np.linalg.norm(axis), frame[:3, 3]))
+    return result
+
+
+def are_parallel(first: Line, second: Line) -> bool:
+    """Whether two axes have one direction, to 1e-12."""
+    return bool(np.linalg.norm(np.cross(first[0], second[0])) <= 1e-12)
+
+
+def meet_in_one_point(group: list[Line]) -> bool:
+    """Whether a point lies on all axes, to 1e-12."""
+    rows = [np.eye(3) - np.outer(d, d) for d, _ in group]
+    values = np.hstack([r @ p for r, (_, p) in zip(rows, group, strict=True)])
+    matrix = np.vstack(rows)
+    point = np.linalg.lstsq(matrix, values, rcond=None)[0]
+    return bool(np.abs(matrix @ point - values).max() <= 1e-12)
+
+
+def structure(chain: Chain) -> str:
+    """Return a (spherical wrist), b (three parallel axes) or c (neither)."""
+    axes = lines(chain)
+    wrist = axes[-3:]
+    if not any(are_parallel(*p) for p in pairwise(wrist)) and meet_in_one_point(wrist):
+        return "a"
+    triples = (axes[k : k + 3] for k in range(len(axes) - 2))
+    if any(all(are_parallel(*p) for p in pairwise(triple)) for triple in triples):
+        return "b"
+    return "c"
+
+
+def test_snapping_recovers_what_designers_meant(corpus: Path) -> None:
+    """All public 6R arms have to 1e-12, snapped, the structure of the data sheet."""
+    index = json.loads((corpus / "urdf" / "INDEX.json").read_text())
+    six = {name: entry for name, entry in index.items() if len(entry["dof"]) == 6}
+    assert len(six) > 50
+    found = {}
+    for name, entry in six.items():
+        path = corpus / "urdf" / f"{name}.urdf"
+        chain = read_urdf(path, base=entry["root"], tip=entry["tip"]).chain
+        found[name] = structure(snap(chain)[0])
+        expected = entry["klass_snapped"].removesuffix("~")
+        assert found[name] == expected, name
+    gained = {name for name in six if six[name]["klass"] == "c~"} - {
+        name for name in six if found[name] == "c"
+    }
+    assert {"doosan_m1013", "doosan_a0509", "aubo_i5", "fairino_fr3"} <= gained
+    assert found["kinova_gen3_6dof"] == "c"
