@@ -109,10 +109,8 @@ class _Proof:
         """Prove all; return a lower bound of sign det J, rounded down."""
         self._check_ends()
         at_end = self._end()
-        self.cover.cover()
-        smallest = self.cover.smallest
-        assert smallest is not None  # a path has a segment, a segment a box
-        return math.nextafter(float(min(smallest, at_end)), -math.inf)
+        smallest = min(at_end, self.cover.cover())
+        return max(0.0, math.nextafter(float(smallest), -math.inf))
 
     def summary(self) -> str:
         """What `run` has proved, in one sentence."""
@@ -125,17 +123,15 @@ class _Proof:
 
     def _check_ends(self) -> None:
         """Step 1."""
-        first, last = self.certificate.path[0], self.certificate.path[-1]
-        for name, posture, point in zip(
-            ("first", "second"), self.certificate.postures, (first, last), strict=True
+        (first, second), path = self.certificate.postures, self.certificate.path
+        for posture, point, claim in (
+            (first, path[0], "start at the first"),
+            (second, path[-1], "end at the second"),
         ):
-            for index, (value, end) in enumerate(zip(posture, point, strict=True)):
-                if value != end:
-                    way = "start" if name == "first" else "end"
-                    raise Refusal(
-                        f"the path does not {way} at the {name} posture: "
-                        f"joint {index + 1} differs"
-                    )
+            for index, (a, b) in enumerate(zip(posture, point, strict=True), 1):
+                if a != b:
+                    found = f"joint {index} differs"
+                    raise Refusal(f"the path does not {claim} posture: {found}")
 
     def _end(self) -> arb:
         """Steps 2, 3 and 5; return a lower bound of sign det J on the end box."""

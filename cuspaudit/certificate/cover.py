@@ -55,29 +55,28 @@ class Cover:
     Attributes:
         certificate: well formed.
         boxes: number of boxes looked at so far.
-        smallest: the smallest lower bound of sign det J proved on a box; None before
-            the first.
         bits: the highest working precision used.
     """
 
     certificate: Certificate
     boxes: int = 0
-    smallest: arb | None = None
     bits: int = PRECISIONS[0]
     _arms: dict[int, Arm[arb_series]] = field(default_factory=dict)
 
-    def cover(self) -> None:
+    def cover(self) -> arb:
         """Prove that det J has the claimed sign on the whole path.
+
+        Returns:
+            The smallest of the bounds of the boxes: 0 < it <= sign det J.
 
         Raises:
             Refusal: it has not, or this could not be proved within `MAX_BOXES` boxes,
                 `MAX_DEPTH` halvings and the last of `PRECISIONS`; the message names
                 the segment and the parameter.
         """
-        for index in range(len(self.certificate.path) - 1):
-            self._segment(index)
+        return min(map(self._segment, range(len(self.certificate.path) - 1)))
 
-    def _segment(self, index: int) -> None:
+    def _segment(self, index: int) -> arb:
         for bits in PRECISIONS:
             self.bits = max(self.bits, bits)
             with working_precision(bits, TERMS + 1):
@@ -89,9 +88,9 @@ class Cover:
                     unclear = error
         raise Refusal(str(unclear))
 
-    def _boxes(self, segment: _Segment, bits: int) -> None:
+    def _boxes(self, segment: _Segment, bits: int) -> arb:
         """Cover one segment; the stack holds boxes [k, k + 1] / 2^depth."""
-        arm, stack = self._arms[bits], [(0, 0)]
+        arm, stack, bounds = self._arms[bits], [(0, 0)], []
         while stack:
             k, depth = stack.pop()
             self.boxes += 1
@@ -100,8 +99,7 @@ class Cover:
             centre = Fraction(2 * k + 1, 2 << depth)
             bound = segment.bound(arm, centre, arb(2) ** -(depth + 1))
             if bound is not None:
-                if self.smallest is None or bound < self.smallest:
-                    self.smallest = bound
+                bounds.append(bound)
             elif depth < MAX_DEPTH:
                 stack += [(2 * k + 1, depth + 1), (2 * k, depth + 1)]
             else:
@@ -109,6 +107,7 @@ class Cover:
                     f"could not prove that det J keeps its sign near "
                     f"s = {float(centre):.9g} of {segment.name}"
                 )
+        return min(bounds)
 
 
 class _Segment:

@@ -98,8 +98,6 @@ def true_posture(
 def _exponents(newton: arb_mat) -> range:
     """Exponents of the radii to try: from twice the Newton defect upwards."""
     reach = max(float(entry.abs_upper()) for entry in newton.entries())
-    if not math.isfinite(reach):
-        return range(0)
     start = max(math.frexp(reach)[1] + 1, -ctx.prec // 2)
     return range(start, LARGEST_RADIUS_EXPONENT + 1)
 
