@@ -52,7 +52,7 @@ class Placed:
 
     @property
     def determinant(self) -> float:
-        """det J, with the sign and in the unit of the exact polynomial."""
+        """The number det J, its sign and unit those of the exact polynomial."""
         return float(np.linalg.det(self.jacobian))
 
     def scaled_jacobian(self, length: float) -> Array:
