@@ -62,8 +62,8 @@ def msolve_text(ring: Ring, polynomials: Sequence[Polynomial]) -> str:
     """The system {p = 0} as msolve reads it.
 
     Args:
-        ring: K[x_1..x_n]; sqrt m becomes a last variable with its own equation
-            w^2 - m = 0, so that every solution comes with w and with -w.
+        ring: K[x_1..x_n]; sqrt m becomes a last variable w with its own equation
+            w^2 - m = 0; solutions with w < 0 are those of the conjugate system.
         polynomials: p_1..p_k in ``ring``; zeros are left out.
 
     >>> ring = Ring(["c", "s"])

@@ -83,6 +83,8 @@ def inverse_kinematics(model: ExactModel, seed: int = 0) -> InverseKinematics:
 def msolve_system(model: ExactModel, seed: int = 0) -> str:
     """The system of `inverse_kinematics` as msolve reads it.
 
+    Over Q(sqrt m) only solutions with a positive last variable are postures.
+
     Raises:
         UnableError: the task is not square, so the system is not zero-dimensional.
     """

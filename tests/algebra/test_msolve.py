@@ -129,6 +129,18 @@ def test_a_missing_msolve_says_how_to_install_it(
         find_msolve()
 
 
+def test_a_program_that_cannot_start_is_an_error(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A file that is no program for this machine is named, without a traceback."""
+    broken = tmp_path / "msolve"
+    broken.write_text("#!/no/such/interpreter")
+    broken.chmod(0o755)
+    monkeypatch.setenv(msolve.ENVIRONMENT, str(broken))
+    with pytest.raises(UnableError, match="No such file"):
+        run_msolve("x\n0\nx\n")
+
+
 @pytest.mark.parametrize(
     ("body", "why"),
     [("exec sleep 5", "within 0.3 s"), ("echo oops >&2; exit 3", "3: oops")],

@@ -167,6 +167,29 @@ def test_a_path_on_the_singular_set_is_noticed(chain_of: ChainOf) -> None:
         crosscheck(model, path=[point, point])
 
 
+@pytest.mark.parametrize("side", [-1e-14, 1e-14])
+def test_a_path_within_rounding_of_a_singularity_is_noticed(
+    chain_of: ChainOf, side: float
+) -> None:
+    """A |det J| that is all rounding error is no margin, its sign being one or not."""
+    model = exact_model(chain_of("chablat-2022-3r"))
+    point = singular_postures(model, 1)[0] + [0, side, side]
+    with pytest.raises(CrossCheckError, match="witness path is singular"):
+        crosscheck(model, path=[point, point])
+
+
+def test_a_polynomial_of_the_wrong_sign_is_noticed_on_the_path(
+    chain_of: ChainOf, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The sign that a witness claims is Pinocchio's and the polynomial's."""
+    monkeypatch.setattr(
+        module, "jacobian_determinant", lambda m: -jacobian_determinant(m)
+    )
+    model = exact_model(chain_of("chablat-2022-3r-mirror"))
+    with pytest.raises(CrossCheckError, match="by the polynomial"):
+        module._Comparison(model, None, None).check_path(PATH)
+
+
 def test_the_path_belongs_to_the_literal_arm(chain_of: ChainOf) -> None:
     """With two models the path is held to the literal one unless said otherwise."""
     mirror, table = (

@@ -63,6 +63,32 @@ def test_the_issac_arm_has_four_postures_at_the_published_point() -> None:
     assert sines == [-0.6249, -0.3234, -0.3126, -0.1447]
 
 
+def test_an_arm_over_a_quadratic_field_reaches_its_place() -> None:
+    """With sqrt 3 > 0 the rational posture is found again; det J is printed over it."""
+    model = model_of("salunkhe-2022-fig20a")
+    assert "# sqrt3 = the positive root" in poly_text(model)
+    system = inverse_kinematics(model, seed=1)
+    assert all(p.degrees()[-1] <= 1 for p in system.equations)
+    wanted = [float(system.posture[v]) for v in model.ring.variables] + [3**0.5]
+    found = [row for row in centres(msolve_system(model, seed=1)) if row[-1] > 0]
+    assert 2 <= len(found) <= 4
+    gaps = [max(abs(a - b) for a, b in zip(r, wanted, strict=True)) for r in found]
+    assert min(gaps) < 1e-12
+
+
+def test_a_slide_is_one_free_variable() -> None:
+    """A sliding joint has no circle, and a rational value in the system."""
+    chain = read_robot(ROBOTS / "chablat-2022-3r.yaml").chain
+    joints = [*chain.joints[:2], replace(chain.joints[2], kind="prismatic")]
+    model = exact_model(chain.with_joints(joints))
+    assert "q3 = displacement of joint 3" in poly_text(model)
+    system = inverse_kinematics(model)
+    assert len(system.equations) == 2 + 3
+    found = centres(msolve_system(model))
+    wanted = float(system.posture["q3"])
+    assert min(abs(row[-1] - wanted) for row in found) < 1e-12
+
+
 @pytest.mark.parametrize(("name", "most"), [("chablat-2022-3r", 4), ("ur5", 8)])
 def test_msolve_reads_our_file_and_finds_the_posture(name: str, most: int) -> None:
     """The rational posture the system was made from is among msolve's solutions."""
