@@ -10,7 +10,7 @@ person can watch the result.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from itertools import pairwise
 
@@ -22,7 +22,7 @@ from cuspaudit.cuspidality.decision import Couple, Decision
 from cuspaudit.geometry.sample_points import Posture
 from cuspaudit.geometry.surface import Factor, Surface
 
-__all__ = ["SurfacePath", "propose_path"]
+__all__ = ["SurfacePath", "propose_path", "propose_paths"]
 
 Array = NDArray[np.float64]
 _BITS = 128
@@ -39,12 +39,14 @@ class SurfacePath:
         points: (m, 2) way points, in the order of V's factors in the ring: angles in
             rad on a circle, coordinates on a line. Not reduced modulo 2 pi.
         sign: the sign of Delta along it.
+        first: |Delta| at the first way point.
         smallest: the smallest sampled |Delta| along it.
         largest: the largest sampled |Delta| on V; inf when V is not compact.
     """
 
     points: Array
     sign: int
+    first: float
     smallest: float
     largest: float
 
@@ -52,6 +54,21 @@ class SurfacePath:
     def clearance(self) -> float:
         """The smallest over the largest |Delta|, in [0, 1]."""
         return self.smallest / self.largest
+
+
+def propose_paths(decision: Decision) -> Iterator[SurfacePath]:
+    """A path for every couple, those that stand farthest from the singular set first.
+
+    The two ends bound how far from it a path can keep.
+    """
+    land = _Landscape(decision, 1)
+
+    def height(couple: Couple) -> float:
+        ends = np.array([_angles(decision.surface, p) for p in couple.postures])
+        return float(np.abs(land.height(ends)).min())
+
+    for couple in sorted(decision.couples, key=height, reverse=True):
+        yield propose_path(decision, couple)
 
 
 def propose_path(decision: Decision, couple: Couple) -> SurfacePath:
@@ -63,7 +80,8 @@ def propose_path(decision: Decision, couple: Couple) -> SurfacePath:
     path = _shorten(path, lambda piece: land.height(_resample(piece)).min() >= keep)
     smallest = float(land.height(_resample(path)).min())
     order = [1, 0] if land.is_swapped else [0, 1]
-    return SurfacePath(path[:, order], couple.sign, smallest, land.largest)
+    first = float(land.height(path[:1])[0])
+    return SurfacePath(path[:, order], couple.sign, first, smallest, land.largest)
 
 
 class _Landscape:

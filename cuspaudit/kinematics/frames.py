@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -35,7 +36,7 @@ def transform(motions: Sequence[Motion]) -> Matrix:
     return result
 
 
-def frames(chain: Chain, posture: Sequence[float]) -> Matrix:
+def frames(chain: Chain, posture: Sequence[float] | Matrix) -> Matrix:
     """The frames of the joints, moved, and of the tip at ``posture``.
 
     Args:
@@ -49,17 +50,17 @@ def frames(chain: Chain, posture: Sequence[float]) -> Matrix:
     result = []
     current = np.eye(4)
     for joint, value in zip(chain.joints, posture, strict=True):
-        current = current @ transform(joint.before)
+        current = current @ _fixed(joint.before)
         if joint.kind == "revolute":
             current = current @ _rotation(joint.axis, float(value))
         else:
             current = current @ _translation(_unit(joint.axis) * float(value))
         result.append(current)
-    result.append(current @ transform(chain.tool))
+    result.append(current @ _fixed(chain.tool))
     return np.array(result)
 
 
-def jacobian(chain: Chain, posture: Sequence[float]) -> Matrix:
+def jacobian(chain: Chain, posture: Sequence[float] | Matrix) -> Matrix:
     """The geometric Jacobian at ``posture``: (3, n) for a position task, else (6, n).
 
     Rows are the linear velocity of the tip's origin, then (pose task only) the angular
@@ -78,10 +79,16 @@ def jacobian(chain: Chain, posture: Sequence[float]) -> Matrix:
     return full[:3] if chain.task == "position" else full
 
 
+@lru_cache(maxsize=512)
+def _fixed(motions: tuple[Motion, ...]) -> Matrix:
+    return transform(motions)
+
+
 def _floats(vector: Vector) -> Matrix:
     return np.array([float(x) for x in vector])
 
 
+@lru_cache(maxsize=512)
 def _unit(axis: Vector) -> Matrix:
     direction = _floats(axis)
     return np.asarray(direction / np.linalg.norm(direction), dtype=np.float64)

