@@ -9,6 +9,8 @@ look for a zero of
 where vee E = (E32 - E23, E13 - E31, E21 - E12) / 2 is the skew part of the rotation E.
 A rotation with vee E = 0 is symmetric: the identity (trace 3) or a half turn
 (trace -1). So where also trace E > 1, F(q) = 0 says that the pose of q is the target.
+(At a half turn about n the angular rows below are -n n^T R*^T w_i, of rank 1, so that
+Krawczyk's test fails there anyway; the trace is checked all the same.)
 
 **Derivative.** It is differentiated exactly, by geometry. The tip's velocity for unit
 speed of joint i is v_i, the hand's angular velocity w_i: dp/dq_i = v_i and

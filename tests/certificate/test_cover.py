@@ -41,6 +41,19 @@ def test_a_long_way_is_cut_where_det_is_small(arm6: Certificate) -> None:
     assert whole.bits == 128
 
 
+def test_what_taylor_s_polynomial_does_not_see_is_in_the_remainder(
+    arm3: Certificate, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """1 - 100 q^6 is flat at 0, where its polynomial is 1, and negative at 1."""
+    monkeypatch.setattr(
+        cover, "jacobian_determinant", lambda arm, q: 1 - 100 * q[0] ** 6
+    )
+    with pytest.raises(Refusal, match="opposite sign"):
+        along(arm3, (-1, 0, 0), (1, 0, 0)).cover()
+    fine = along(arm3, ("-0.3", 0, 0), ("0.3", 0, 0))
+    assert 0.2 < float(fine.cover()) < 1 - 100 * 0.3**6
+
+
 def test_a_path_may_rest(arm3: Certificate) -> None:
     """A segment of length zero is a box like any other."""
     first = arm3.postures[0]

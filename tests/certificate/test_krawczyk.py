@@ -6,12 +6,12 @@ from typing import Any
 
 import numpy as np
 import pytest
-from certified_arms import ARMS, crx, kinematics
+from certified_arms import ARMS, crx, kinematics, with_offset
 from flint import arb, arb_mat
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from cuspaudit.certificate import Certificate, Translate
+from cuspaudit.certificate import Certificate, Translate, krawczyk
 from cuspaudit.certificate.arm import arm_from_certificate
 from cuspaudit.certificate.balls import ball_from_fraction, working_precision
 from cuspaudit.certificate.krawczyk import PostureBox, _system, true_posture
@@ -102,6 +102,30 @@ def test_a_half_turn_is_another_pose(arm6: Certificate) -> None:
     pi = Fraction("3.14159265358979323846264338327950288")
     *others, last = arm6.postures[0]
     assert box_round(arm6, (*others, last + pi)) is None
+
+
+def test_no_box_reaches_over_a_singularity(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Where two postures of one pose are closer than the box is wide, none is proved.
+
+    The posture is 1e-10 from a fold, and the box reaches 2^-31 > 4e-10 to each side.
+    """
+    first = (Fraction(0), Fraction(1, 10**10), Fraction(0))
+    arm = replace(with_offset(), postures=(first, first), path=(first, first))
+    exact = box_round(arm, first)
+    assert exact is not None
+    assert exact.radius < 1e-10
+    monkeypatch.setattr(krawczyk, "_exponents", lambda newton: [-31])
+    assert box_round(arm, first) is None
+
+
+def test_a_box_without_a_posture_is_refused(
+    arm6: Certificate, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A box of 1e-12 round a point 1e-10 away from the posture holds none."""
+    second = (arm6.postures[1][0] + Fraction(1, 10**10), *arm6.postures[1][1:])
+    assert box_round(arm6, second) is not None
+    monkeypatch.setattr(krawczyk, "_exponents", lambda newton: [-40])
+    assert box_round(arm6, second) is None
 
 
 def test_a_singular_posture_is_refused(arm3: Certificate) -> None:
