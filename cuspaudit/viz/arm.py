@@ -21,7 +21,17 @@ from cuspaudit.kinematics.chain import Chain, Joint, Motion, Translation
 from cuspaudit.kinematics.frames import transform
 from cuspaudit.viz.motion import PathFrames
 
-__all__ = ["Piece", "Role", "arm_pieces", "elbows", "pointing", "triad"]
+__all__ = [
+    "Piece",
+    "Role",
+    "arm_pieces",
+    "bar_ends",
+    "elbows",
+    "pointing",
+    "triad",
+    "tube_radius",
+    "unit_axis",
+]
 
 Matrix = NDArray[np.float64]
 Role = Literal["base", "link", "housing", "cap", "tool", "x", "y", "z"]
@@ -182,13 +192,18 @@ def _slide(
     fixed[:3, 3] *= scale
     side = 2.0 * HOUSING * radius
     sleeve = fixed @ pointing(axis, np.zeros(3))
-    low, high = min(0.0, float(values.min())), max(0.0, float(values.max()))
-    length = high - low + 1.6 * side
-    bar = pointing(axis, -axis * (high + low) / 2)
+    low, high = bar_ends(values, 0.8 * side)
+    bar = pointing(axis, axis * (high + low) / 2)
     return [
         Piece(body - 1, "box", (side, side, 1.4 * side), sleeve, "housing"),
-        Piece(body, "box", (1.5 * radius, 1.5 * radius, length), bar, "cap"),
+        Piece(body, "box", (1.5 * radius, 1.5 * radius, high - low), bar, "cap"),
     ]
+
+
+def bar_ends(values: Matrix, margin: float) -> tuple[float, float]:
+    """Where a sliding bar begins and ends along its axis, to stay in its sleeve."""
+    far, near = max(0.0, float(values.max())), min(0.0, float(values.min()))
+    return -far - margin, -near + margin
 
 
 def _tool(chain: Chain, body: int, tool: Matrix, scale: float) -> list[Piece]:

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from cuspaudit.kinematics.chain import Chain
 from cuspaudit.kinematics.frames import frames
-from cuspaudit.viz.arm import elbows, tube_radius
+from cuspaudit.viz.arm import bar_ends, elbows, tube_radius, unit_axis
 from cuspaudit.viz.motion import PathFrames
 from cuspaudit.viz.shapes import Triangles
 
@@ -36,7 +36,7 @@ class Outlook:
         """Place the arm's corners in a few dozen of the postures."""
         self.chain, self.shown, self.scale = chain, shown, scale
         low = float(self._corners[..., 2].min()) - 1.8 * tube_radius(chain, 0)
-        self.ground = low if low < -0.06 else -0.012
+        self.ground = min(low, -0.055)
         self.pitch = nice_step(0.1 / scale)
 
     @cached_property
@@ -89,18 +89,35 @@ class Outlook:
         corners = self._corners.reshape(-1, 3)
         stand = [[x, y, self.ground] for x in (-0.08, 0.08) for y in (-0.08, 0.08)]
         target = self.shown.tips[0, :3, 3] * self.scale
-        around = target + 0.07 * np.vstack([np.eye(3), -np.eye(3)])
-        return np.unique(np.round(np.vstack([corners, stand, around]), 3), axis=0)
+        reach = 0.05 if self.chain.task == "position" else 0.15
+        around = target + reach * self.shown.tips[0, :3, :3].T
+        points = np.vstack([corners, stand, around, *self._bars()])
+        return np.unique(np.round(points, 3), axis=0)
+
+    def _bars(self) -> list[Matrix]:
+        """The ends of the bars of prismatic joints, in every posture placed."""
+        ends = []
+        for body, joint in enumerate(self.chain.joints):
+            if joint.kind != "prismatic":
+                continue
+            low, high = bar_ends(self.shown.postures[:, body] * self.scale, 0.05)
+            axis = unit_axis(joint)
+            for index in self._indices:
+                frame = frames(self.chain, list(self.shown.postures[index]))[body]
+                local = np.array([low * axis, high * axis])
+                moved = local @ frame[:3, :3].T + frame[:3, 3] * self.scale
+                ends.append(moved)
+        return ends
 
     def view_direction(self) -> Matrix:
         """The direction from the arm to a camera that sees it broad and unfolded.
 
-        Of 72 directions from above, the one in which the drawn postures cover most,
-        and the ghosts stand furthest from one another.
+        Of 72 directions from above, the one in which the drawn postures cover much,
+        their links look long, and the ghosts stand far from one another.
         """
         keys = self._keys
         best, found = -1.0, np.array([1.0, -1.0, 0.6])
-        for elevation in (math.radians(16), math.radians(30)):
+        for elevation in (math.radians(14), math.radians(26)):
             for azimuth in np.radians(np.arange(-180, 180, 10)):
                 level = math.cos(elevation)
                 toward = np.array(
@@ -186,4 +203,5 @@ def _breadth(keys: Matrix, toward: Matrix) -> float:
     flat = screen.reshape(-1, 2)
     area = math.sqrt(max(0.0, float(np.linalg.det(np.cov(flat.T)))))
     apart = float(np.linalg.norm(screen - screen.mean(axis=0), axis=2).mean())
-    return math.sqrt(area) + apart
+    links = float(np.linalg.norm(np.diff(screen, axis=1), axis=2).mean())
+    return math.sqrt(area) * (0.1 + apart) * links**2

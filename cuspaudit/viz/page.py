@@ -28,6 +28,7 @@ from cuspaudit.viz.words import (
     model_rows,
     no_path_reason,
     number,
+    part,
     posture_rows,
     proof_rows,
     verdict_words,
@@ -96,17 +97,15 @@ class _Tree(dict[str, Any]):
 
     def part(self, key: str) -> _Tree:
         """The mapping under ``key``, empty when it is null."""
-        value = self.get(key)
-        return _Tree(value if isinstance(value, Mapping) else None)
+        return _Tree(part(self, key))
 
 
 def _certificate(audit: Mapping[str, Any], text: str | None) -> dict[str, str] | None:
     """Name, command and download link of the certificate, as far as there is one."""
-    witness = audit.get("witness") or {}
-    given = witness.get("certificate")
+    given = part(audit, "witness").get("certificate")
     if not given and text is None:
         return None
-    robot = (audit.get("robot") or {}).get("name") or "robot"
+    robot = part(audit, "robot").get("name") or "robot"
     plain = re.sub(r"[^A-Za-z0-9._-]+", "-", str(robot)).strip("-.") or "robot"
     name = re.split(r"[\\/]", str(given))[-1] if given else f"{plain}.certificate.json"
     shown = name if re.fullmatch(r"[A-Za-z0-9._-]+", name) else f"'{name}'"
@@ -139,9 +138,7 @@ def _finite(value: Any) -> Any:
 
 def _policy(scripts: list[str]) -> str:
     """A content security policy: these scripts, inline style, embedded images."""
-    hashes = [
-        _base64(hashlib.sha256(script.encode()).digest()) for script in scripts
-    ]
+    hashes = [_base64(hashlib.sha256(script.encode()).digest()) for script in scripts]
     allowed = " ".join(f"'sha256-{digest}'" for digest in hashes) or "'none'"
     return (
         f"default-src 'none'; script-src {allowed}; style-src 'unsafe-inline'; "

@@ -86,7 +86,7 @@ def build_scene(
     for piece in arm_pieces(chain, scale, shown, skip=frozenset(drawn)):
         commands.piece(_node(piece.body), piece, COLOURS[piece.role])
     _draw_ground(commands, outlook)
-    if shown.is_path or _one_pose(shown, scale):
+    if _one_place(shown, scale):
         _draw_target(commands, chain, shown, scale)
     if shown.is_path:
         trace = tube(shown.tips[:, :3, 3] * scale, 0.0042)
@@ -101,8 +101,9 @@ def _node(body: int) -> str:
     return "/".join(["arm", *(f"j{i}" for i in range(body + 1)), "body"])
 
 
-def _one_pose(shown: PathFrames, scale: float) -> bool:
-    return bool(np.max(shown.distances) * scale < 1e-4)
+def _one_place(shown: PathFrames, scale: float) -> bool:
+    """Whether a path was drawn, or every posture holds the tool at one place."""
+    return shown.is_path or bool(np.max(shown.distances) * scale < 1e-4)
 
 
 def _draw_shapes(
@@ -137,9 +138,9 @@ def _cell(meshes: Sequence[Triangles], length: float) -> float:
     """The side of the cubes that leaves the meshes with few enough faces, or 0."""
     if sum(len(mesh.faces) for mesh in meshes) <= MOST_FACES:
         return 0.0
-    cell = length / 2000
+    cell = length / 1000
     while sum(len(thinned(mesh, cell).faces) for mesh in meshes) > MOST_FACES:
-        cell *= 1.4
+        cell *= 1.5
     return cell
 
 
@@ -207,6 +208,7 @@ def _draw_target(
 def _drawing(chain: Chain, shown: PathFrames, outlook: Outlook) -> dict[str, Any]:
     """Everything the page's script needs, as plain JSON."""
     scale = outlook.scale
+    one_place = _one_place(shown, scale)
     joints = []
     for joint in chain.joints:
         before = transform(joint.before)
@@ -232,7 +234,7 @@ def _drawing(chain: Chain, shown: PathFrames, outlook: Outlook) -> dict[str, Any
         "determinants": [float(f"{x:.5g}") for x in shown.determinants],
         "distances": _rounded(shown.distances, 9),
         "turns": _rounded(shown.turns, 6),
-        "target": _rounded(shown.tips[0, :3, 3] * scale),
+        "target": _rounded(shown.tips[0, :3, 3] * scale) if one_place else None,
         "ghosts": outlook.ghosts(GHOSTS),
         "fit": [_rounded(point, 4) for point in outlook.fit_points()],
         "view": _rounded(outlook.view_direction(), 4),

@@ -95,7 +95,7 @@ def thinned(mesh: Triangles, cell: float) -> Triangles:
     (3, 1)
     """
     keys = np.floor(mesh.vertices / cell).astype(np.int64)
-    _, group = np.unique(keys, axis=0, return_inverse=True)
+    _, group = np.unique(_codes(keys), return_inverse=True)
     group = group.reshape(-1)
     size = np.bincount(group).astype(np.float64)
     vertices = np.column_stack(
@@ -104,8 +104,15 @@ def thinned(mesh: Triangles, cell: float) -> Triangles:
     faces = group[mesh.faces]
     a, b, c = faces.T
     faces = faces[(a != b) & (b != c) & (c != a)]
-    faces = faces[np.unique(np.sort(faces, axis=1), axis=0, return_index=True)[1]]
+    faces = faces[np.unique(_codes(np.sort(faces, axis=1)), return_index=True)[1]]
     return Triangles(vertices, faces)
+
+
+def _codes(triples: NDArray[np.int64]) -> NDArray[np.int64]:
+    """One integer a row, the same for equal rows only (below 2 million a column)."""
+    x, y, z = (triples - triples.min(axis=0, initial=0)).T
+    base = np.int64(2_097_152)
+    return np.asarray((x * base + y) * base + z)
 
 
 def _is_hostile(path: Path) -> bool:

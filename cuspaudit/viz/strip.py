@@ -16,11 +16,13 @@ from numpy.typing import NDArray
 from cuspaudit.kinematics.chain import Chain
 from cuspaudit.viz.motion import PathFrames
 from cuspaudit.viz.outlook import nice_step
+from cuspaudit.viz.words import number
 
 __all__ = ["Strip", "Tick", "build_strip"]
 
 Matrix = NDArray[np.float64]
 SCALES = {1: "", 2: "square-root scale", 3: "cube-root scale", 5: "fifth-root scale"}
+LABEL = 12.0  # height of a label, per cent of the box
 CLEAR = 0.09  # the curve stays at least this part of its own height off the zero line
 
 
@@ -73,7 +75,7 @@ def build_strip(chain: Chain, shown: PathFrames) -> Strip:
     root = _root(float(sizes.min()) / largest)
     bent = np.sign(values) * sizes ** (1.0 / root)
     low, high = min(0.0, float(bent.min())), max(0.0, float(bent.max()))
-    margin = 0.12 * ((high - low) or 1.0)
+    margin = 0.16 * ((high - low) or 1.0)
     low, high = low - margin, high + margin
 
     def top(height: float) -> float:
@@ -89,9 +91,12 @@ def build_strip(chain: Chain, shown: PathFrames) -> Strip:
         area=f"{xs[0]:.2f},{zero} {points} {xs[-1]:.2f},{zero}",
         stems=tuple((x, y, zero) for x, y in zip(xs, heights, strict=True)),
         zero=zero,
-        ticks=tuple(
-            Tick(top(np.sign(v) * abs(v) ** (1.0 / root)), f"{v:g}".replace("-", "−"))
-            for v in _tick_values(values, root)
+        ticks=_apart(
+            [
+                Tick(top(np.sign(v) * abs(v) ** (1.0 / root)), number(v))
+                for v in _tick_values(values, root)
+            ],
+            zero,
         ),
         heights=heights,
         unit=_unit(chain),
@@ -112,10 +117,12 @@ def _root(ratio: float) -> int:
 
 
 def _places(count: int, *, is_path: bool) -> list[float]:
-    """Where each posture stands in the box: a path fills it, postures share it."""
+    """Where each posture stands in the box; single ones keep off its ends."""
     if is_path:
         return [1000.0 * i / max(1, count - 1) for i in range(count)]
-    return [1000.0 * (i + 0.5) / count for i in range(count)]
+    if count == 1:
+        return [500.0]
+    return [50.0 + 900.0 * i / (count - 1) for i in range(count)]
 
 
 def _tick_values(values: Matrix, root: int) -> list[float]:
@@ -131,6 +138,16 @@ def _tick_values(values: Matrix, root: int) -> list[float]:
         else:
             ticks += [sign * step, sign * nice_step(step / 2**root)]
     return ticks
+
+
+def _apart(ticks: list[Tick], zero: float) -> tuple[Tick, ...]:
+    """The ticks whose labels stay clear of zero's and of those before them."""
+    kept: list[Tick] = []
+    for tick in ticks:
+        taken = [zero, *(other.top for other in kept)]
+        if all(abs(tick.top - top) >= LABEL for top in taken):
+            kept.append(tick)
+    return tuple(kept)
 
 
 def _unit(chain: Chain) -> str:

@@ -17,12 +17,14 @@ __all__ = [
     "model_rows",
     "no_path_reason",
     "number",
+    "part",
     "posture_rows",
     "proof_rows",
     "verdict_words",
 ]
 
 Audit = Mapping[str, Any]
+RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 VERDICTS = ("cuspidal", "noncuspidal", "undecided")
 
 
@@ -60,21 +62,30 @@ def number(value: Any, digits: int = 6) -> str:
     """A number as text, with a true minus; other values as they are, null as a dash.
 
     >>> number(-0.5), number(None), number(1e-13)
-    ('−0.5', '–', '1e−13')
+    ('−0.5', '–', '1·10⁻¹³')
     """
     if value is None:
         return "–"
     if isinstance(value, bool) or not isinstance(value, int | float):
         return str(value)
-    text = str(value) if isinstance(value, int) else f"{value:.{digits}g}"
-    return text.replace("e-0", "e-").replace("-", "−")
+    text = str(value) if isinstance(value, int) else f"{value + 0.0:.{digits}g}"
+    mantissa, _, power = text.partition("e")
+    if power:
+        mantissa += "·10" + str(int(power)).translate(RAISED)
+    return mantissa.replace("-", "−")
+
+
+def part(audit: Audit, key: str) -> Audit:
+    """The mapping under ``key``, empty when there is none."""
+    value = audit.get(key)
+    return value if isinstance(value, Mapping) else {}
 
 
 def verdict_words(audit: Audit) -> VerdictWords:
     """The verdict in one sentence, and what it means for whoever builds the arm."""
     verdict = audit.get("verdict")
     verdict = verdict if verdict in VERDICTS else "undecided"
-    robot = audit.get("robot") or {}
+    robot = part(audit, "robot")
     name = str(robot.get("name") or "This system")
     pose = robot.get("task") != "position"
     place = "position and orientation" if pose else "position"
@@ -104,7 +115,7 @@ def verdict_words(audit: Audit) -> VerdictWords:
 
 def proof_rows(audit: Audit) -> list[tuple[str, str]]:
     """The proof as label and text, what is null left out."""
-    proof = audit.get("proof") or {}
+    proof = part(audit, "proof")
     kinds = {
         "witness": "a path, certified in ball arithmetic",
         "exact": "an exact computation over the rational numbers",
@@ -123,7 +134,7 @@ def proof_rows(audit: Audit) -> list[tuple[str, str]]:
 
 def no_path_reason(audit: Audit) -> str:
     """Why no path is shown, when the audit holds none; else ""."""
-    if (audit.get("witness") or {}).get("path"):
+    if part(audit, "witness").get("path"):
         return ""
     verdict = verdict_words(audit).verdict
     if verdict == "noncuspidal":
@@ -139,7 +150,7 @@ def no_path_reason(audit: Audit) -> str:
 
 def counts(audit: Audit) -> list[Count]:
     """Aspects, postures, cusps and nodes, each with what the audit says of proof."""
-    singular = audit.get("singular") or {}
+    singular = part(audit, "singular")
     found = [
         ("Aspects", audit.get("aspects"), "regions free of singularities"),
         ("Postures of one pose, at most", audit.get("postures"), "inverse solutions"),
@@ -155,7 +166,7 @@ def counts(audit: Audit) -> list[Count]:
 
 def model_rows(audit: Audit) -> list[tuple[str, str, bool]]:
     """(model, verdict, whether the verdict above is this one's), literal first."""
-    models = audit.get("models") or {}
+    models = part(audit, "models")
     rows = []
     for key, label in (
         ("literal", "Literal: the numbers as the file gives them"),
@@ -168,9 +179,7 @@ def model_rows(audit: Audit) -> list[tuple[str, str, bool]]:
 
 def posture_rows(audit: Audit, scene: Scene | None) -> list[PostureRow]:
     """The witness's postures, or those drawn, joint by joint."""
-    postures: Sequence[Sequence[float]] = (audit.get("witness") or {}).get(
-        "postures"
-    ) or []
+    postures: Sequence[Sequence[float]] = part(audit, "witness").get("postures") or []
     if not postures and scene is not None and not scene.shown.is_path:
         postures = scene.shown.postures.tolist()
     if not postures:
@@ -181,16 +190,20 @@ def posture_rows(audit: Audit, scene: Scene | None) -> list[PostureRow]:
         turning = joint is None or joint.kind == "revolute"
         unit = "rad" if turning else (scene.chain.unit if scene else "")
         values = [float(posture[index]) for posture in postures]
-        degrees = [f"{math.degrees(v):.3f}°" for v in values] if turning else []
+        degrees = [_degrees(value) for value in values] if turning else []
         rows.append(
             PostureRow(
                 joint.name if joint else str(index + 1),
                 unit,
                 tuple(number(value, 10) for value in values),
-                tuple(text.replace("-", "−") for text in degrees),
+                tuple(degrees),
             )
         )
     return rows
+
+
+def _degrees(value: float) -> str:
+    return f"{round(math.degrees(value), 3) + 0.0:.3f}°".replace("-", "−")
 
 
 def _counted(value: Any, proved: Any) -> tuple[str, bool | None]:

@@ -1,163 +1,16 @@
-"""Two arms with a path each, and audits as the audit room writes them."""
+"""Where the browser tests leave what they saw."""
 
 from __future__ import annotations
 
-import math
-from fractions import Fraction as F
 from pathlib import Path
-from typing import Any
 
-import numpy as np
 import pytest
 
-from cuspaudit.kinematics.chain import (
-    X_AXIS,
-    Z_AXIS,
-    Angle,
-    Chain,
-    Joint,
-    Rotation,
-    Translation,
-)
-from cuspaudit.kinematics.frames import frames
-
 OUTPUT = Path(__file__).parents[2] / "test-output"
-QUARTER = Angle(half_turns=F(1, 2))
-CRX_AXES = ((0, 0, 1), (0, 1, 0), (0, -1, 0), (-1, 0, 0), (0, -1, 0), (-1, 0, 0))
-CRX_STEPS = (
-    *(("0", "0", "0.245"), ("0", "0", "0"), ("0", "0", "0.71"), ("0", "0", "0")),
-    *(("0.54", "-0.15", "0"), ("0.16", "0", "0"), ("0", "0", "0")),
-)
-# fanuc_crx10ial_couple of the project's list of known robots: two postures, one pose
-CRX_COUPLE = (
-    (-3.10159265359, -1.98, -1.36159265359, 0.47159265359, 0.32, -1.94),
-    (
-        *(-2.351541039862, -2.089140450037, -0.943744242273),
-        *(4.202133156789, 0.36555118529, -5.061892439164),
-    ),
-)
-
-
-def vector(*numbers: Any) -> tuple[F, F, F]:
-    x, y, z = (F(n) for n in numbers)
-    return x, y, z
-
-
-def issac_chain(name: str = "Orthogonal 3R, ISSAC 2022", unit: str = "m") -> Chain:
-    """D-H standard: a = 1, 2, 3/2; d = 0, 1, 0; alpha = -90, 90, 0 degrees."""
-    size = {"m": F(1), "mm": F(1000)}[unit]
-    rows = ((F(1), F(0), -QUARTER), (F(2), F(1), QUARTER), (F(3, 2), F(0), Angle()))
-    joints, motions = [], ()
-    for i, (a, d, alpha) in enumerate(rows):
-        joints.append(Joint(f"joint_{i + 1}", "revolute", motions))
-        motions = (
-            Translation(vector(0, 0, d * size)),
-            Translation(vector(a * size, 0, 0)),
-            Rotation(X_AXIS, alpha),
-        )
-    return Chain(name, tuple(joints), motions, unit=unit)
-
-
-def issac_path(chain: Chain, count: int = 60) -> list[list[float]]:
-    """A straight line in (theta2, theta3); theta1 brings the tool home at the end."""
-    start, end = np.array([-0.742, 2.628]), np.array([-3.0, -0.5])
-    points = [frames(chain, [0.0, *q])[-1, :3, 3] for q in (start, end)]
-    bearing = [math.atan2(p[1], p[0]) for p in points]
-    steps = np.linspace(0, 1, count)
-    turn = (bearing[0] - bearing[1] + math.pi) % (2 * math.pi) - math.pi
-    return [[turn * t, *(start + t * (end - start))] for t in steps]
-
-
-def crx_chain() -> Chain:
-    joints = tuple(
-        Joint(f"J{i + 1}", "revolute", (Translation(vector(*step)),), vector(*axis))
-        for i, (axis, step) in enumerate(zip(CRX_AXES, CRX_STEPS, strict=False))
-    )
-    tool = (Translation(vector(*CRX_STEPS[-1])),)
-    return Chain("FANUC CRX-10iA/L", joints, tool, task="pose", tip="tool0")
-
-
-def slider_chain() -> Chain:
-    """A turntable, a lift and a reach: R, P, P in mm."""
-    return Chain(
-        "Turntable, lift and reach",
-        (
-            Joint("turn", "revolute", ()),
-            Joint("lift", "prismatic", (Translation(vector(0, 0, 300)),)),
-            Joint("reach", "prismatic", (Translation(vector(0, 0, 100)),), X_AXIS),
-        ),
-        (Translation(vector(120, 0, 0)), Rotation(Z_AXIS, Angle())),
-        unit="mm",
-    )
-
-
-def audit_of(chain: Chain, verdict: str, path: list[list[float]] | None) -> dict:
-    """An audit with every key of schema cuspaudit/audit/1."""
-    kinds = {"cuspidal": "witness", "noncuspidal": "exact", "undecided": "none"}
-    witness = path and {
-        "sign": 1,
-        "postures": [path[0], path[-1]],
-        "path": path,
-        "clearance": 0.058,
-        "certificate": "audits/issac.certificate.json",
-    }
-    return {
-        "schema": "cuspaudit/audit/1",
-        "robot": {
-            "name": chain.name,
-            "file": "robots/arm.yaml",
-            "joints": len(chain.joints),
-            "base": chain.base,
-            "tip": chain.tip,
-            "task": chain.task,
-            "exact": True,
-            "snapped": [
-                {"where": "joint_2 rpy[0]", "given": 1.5708, "used": "pi/2"},
-                {"where": "joint_5 xyz[1]", "given": -0.1500001, "used": "-3/20"},
-            ],
-        },
-        "verdict": verdict,
-        "proof": {
-            "kind": kinds[verdict],
-            "engine": "roadmap",
-            "reduction": "spherical wrist" if chain.task == "pose" else None,
-            "rests_on": ["FLINT resultants", "ball arithmetic"],
-            "why": {
-                "cuspidal": "A certified path joins two postures of one aspect.",
-                "noncuspidal": "Each posture of each sample point has its own aspect.",
-                "undecided": "No decidable structure was found.",
-            }[verdict],
-        },
-        "aspects": {"count": 2, "proved": True},
-        "postures": {"max": 4, "proved": False},
-        "singular": {
-            "determinant": "18*c2*c3 + 24*c2 - 9*s3*c3 - 12*s3",
-            "factors": ["3*c3 + 4", "2*c2 - s3"],
-            "cusps": 4,
-            "nodes": 0,
-        },
-        "witness": witness or None,
-        "models": {"literal": verdict, "snapped": verdict},
-        "limits": None,
-        "crosscheck": {
-            "engine": "pinocchio",
-            "samples": 100,
-            "max_relative_error": 1.3e-13,
-            "singular_points_checked": 20,
-            "agree": True,
-        },
-        "undecided": "no reduction applies" if verdict == "undecided" else None,
-        "seconds": {
-            **{"total": 1.84, "import": 0.01, "decide": 0.12},
-            **{"certify": 0.4, "crosscheck": 0.7},
-        },
-        "versions": {"cuspaudit": "0.1.0", "python-flint": "0.9.0", "msolve": None},
-        "seed": 0,
-    }
 
 
 @pytest.fixture(scope="session")
 def output() -> Path:
-    """Where screenshots go, for a person to look at."""
+    """The folder of screenshots, for a person to look at."""
     OUTPUT.mkdir(exist_ok=True)
     return OUTPUT

@@ -16,7 +16,14 @@
     joint.kind === "revolute"
       ? minus(((x * 180) / Math.PI).toFixed(1)) + "\u00b0"
       : minus(Number(x.toPrecision(5)).toString()) + " " + data.unit;
-  const length = (x) => minus(Number(x.toPrecision(3)).toString()) + " " + data.unit;
+  const length = (x) => tidy(x) + " " + data.unit;
+
+  function tidy(x) {
+    const [mantissa, power] = x.toExponential(2).split("e").map(Number);
+    if (Math.abs(power) < 5) return minus(Number(x.toPrecision(3)).toString());
+    const raised = [...String(power)].map((c) => "\u207b\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079"["-0123456789".indexOf(c)]);
+    return minus(String(mantissa)) + "\u00b710" + raised.join("");
+  }
 
   function between(values) {
     const low = Math.min(Math.floor(place), last);
@@ -30,7 +37,7 @@
 
   function share() {
     if (data.isPath) return last ? place / last : 0;
-    return (place + 0.5) / (last + 1);
+    return last ? 0.05 + (0.9 * place) / last : 0.5;
   }
 
   function showNumbers() {
@@ -40,7 +47,7 @@
       rows[i].querySelector(".nowvalue").textContent = value(joint, posture[i]);
     });
     const det = between(data.determinants);
-    get("detnow").textContent = minus(Number(det.toPrecision(3)).toString());
+    get("detnow").textContent = tidy(det);
     const left = 100 * share() + "%";
     get("cursor").style.left = left;
     get("dot").style.left = left;
@@ -186,17 +193,34 @@
       this.viewer.set_dirty();
     }
 
+    // Without a graphics card, draw fewer points while the arm moves.
+    keepPace(elapsed) {
+      this.slow = elapsed > 70 ? this.slow + 1 : 0;
+      if (this.slow < 6 || this.coarse) return;
+      this.coarse = true;
+      this.viewer.renderer.setPixelRatio(0.6);
+    }
+
+    sharpen() {
+      this.slow = 0;
+      if (!this.coarse) return;
+      this.coarse = false;
+      this.viewer.renderer.setPixelRatio(window.devicePixelRatio);
+      this.viewer.set_dirty();
+    }
+
     // Stand as near as all points allow, looking along the chosen direction.
     frame() {
       const { THREE, viewer } = this;
       const camera = viewer.camera;
-      camera.fov = 30;
+      camera.fov = 24;
       camera.updateProjectionMatrix();
       const toward = this.up(data.view).normalize();
       const right = new THREE.Vector3(0, 1, 0).cross(toward).normalize();
       const above = toward.clone().cross(right);
-      const tanV = Math.tan((camera.fov * Math.PI) / 360) / 1.14;
+      const tanV = Math.tan((camera.fov * Math.PI) / 360) / 1.06;
       const tanH = tanV * camera.aspect;
+      const PAD = 0.05; // the points are on the links' middle lines
       const points = data.fit.map((p) => this.up(p));
       const centre = new THREE.Vector3();
       let distance = 1;
@@ -206,7 +230,8 @@
         for (const p of points) {
           const q = p.clone().sub(centre);
           const x = q.dot(right), y = q.dot(above), z = q.dot(toward);
-          distance = Math.max(distance, z + Math.abs(x) / tanH, z + Math.abs(y) / tanV);
+          distance = Math.max(
+            distance, z + (Math.abs(x) + PAD) / tanH, z + (Math.abs(y) + PAD) / tanV);
         }
         for (const p of points) {
           const q = p.clone().sub(centre);
@@ -238,7 +263,7 @@
       data.ghosts.forEach((g, i) =>
         add(data.isPath ? "posture " + g.label : g.label, "ghost",
           () => this.ghosts[i].visible && this.up(g.at), g.colour));
-      if (data.isPath) add("tool: same place in A and B", "tool", () => this.up(data.target));
+      if (data.target) add(data.isPath ? "tool: same place in A and B" : "tool", "tool", () => this.up(data.target));
       const joints = get("names");
       joints.checked = data.joints.length <= 3;
       joints.addEventListener("change", () => this.viewer.set_dirty());
@@ -283,6 +308,7 @@
 
   function setPlaying(on) {
     playing = on;
+    if (scene) scene.sharpen();
     play.textContent = on ? "Pause" : "Play";
     play.setAttribute("aria-pressed", String(on));
     if (!on) return;
@@ -298,6 +324,7 @@
 
   function step(now) {
     if (!playing) return;
+    if (scene) scene.keepPace(now - before);
     const dt = Math.min(0.1, (now - before) / 1000) * Number(get("speed").value);
     before = now;
     if (held > 0) held -= dt;
