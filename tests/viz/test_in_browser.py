@@ -245,3 +245,18 @@ def test_paper_gets_a_picture(
     assert not visit.page.is_visible("#play")
     visit.keep(output / "crx-print.png")
     visit.close()
+
+
+def test_without_webgl_the_numbers_still_follow(
+    browser: Any, pages: dict[str, Path]
+) -> None:
+    """A browser that cannot draw says so, and table and strip work."""
+    visit = Visit(browser, pages["none"])
+    visit.page.add_init_script("HTMLCanvasElement.prototype.getContext = () => null")
+    visit.page.goto(pages["issac"].as_uri())
+    visit.page.wait_for_selector("html[data-ready]")
+    assert visit.page.is_visible("#failure")
+    visit.slide(1.0)
+    assert visit.page.evaluate(CURSOR) == 100
+    visit.faults.clear()  # three.js complains, rightly
+    visit.close()

@@ -370,6 +370,7 @@
     });
   } catch (error) {
     get("failure").hidden = false;
+    pane.parentElement.classList.add("failed");
     console.warn("no picture:", error);
   }
   go(0);
