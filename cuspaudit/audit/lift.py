@@ -8,6 +8,7 @@ hand back to its first orientation, on one side of the wrist's singularity.
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -39,11 +40,13 @@ def lift_position(model: ExactModel, path: SurfacePath) -> Array:
     first = np.zeros(len(rest))
     joints = np.column_stack([first, rest])
     length = np.r_[0.0, np.cumsum(np.abs(np.diff(rest, axis=0)).max(axis=1))]
-    joints[:, 0] = _closing(model.chain, joints) * length / length[-1]
+    joints[:, 0] = _closing(model.chain, joints) * length / (length[-1] or 1.0)
     return joints
 
 
-def lift_wrist(chain: Chain, regional: Array) -> Array:
+def lift_wrist(
+    chain: Chain, regional: Array, tilts: Sequence[float] = (0.0, 0.5, -0.5)
+) -> Array:
     """The path of six joints over a path of the first three, (m + 1, 6).
 
     The wrist keeps still, as far from singular as it can, while the first three
@@ -54,8 +57,8 @@ def lift_wrist(chain: Chain, regional: Array) -> Array:
     """
     middle = wrist_middle(chain, regional[0])
     found: list[tuple[float, Array]] = []
-    for start in (middle, middle + 0.5, middle - 0.5):
-        first = np.r_[regional[0], 0.0, start, 0.0]
+    for tilt in tilts:
+        first = np.r_[regional[0], 0.0, middle + tilt, 0.0]
         wrist = _wrist_at(chain, first, regional[-1], middle)
         if wrist is not None:
             still = np.tile(first[3:], (len(regional), 1))
@@ -131,7 +134,7 @@ def _pose_error(chain: Chain, posture: Array, target: Array) -> Array:
     error = target[:3, 3] - placed[:3, 3]
     if chain.task == "position":
         return np.asarray(error)
-    return np.r_[error, _turn_between(placed, target)]
+    return np.concatenate([error, _turn_between(placed, target)])
 
 
 def _turn_between(placed: Array, target: Array) -> Array:
@@ -144,11 +147,11 @@ def _turn_between(placed: Array, target: Array) -> Array:
 def _axes(chain: Chain, posture: Array) -> Array:
     """The unit axes of the joints in base coordinates, (n, 3)."""
     placed = frames(chain, posture)
-    axes = [
+    axes: list[Array] = [
         frame[:3, :3] @ np.array([float(x) for x in joint.axis])
         for joint, frame in zip(chain.joints, placed, strict=False)
     ]
-    return np.array([axis / np.linalg.norm(axis) for axis in axes])
+    return np.array([axis / np.linalg.norm(axis) for axis in axes], dtype=np.float64)
 
 
 def _wrist_at(

@@ -7,13 +7,13 @@ import platform
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from importlib.metadata import PackageNotFoundError, version
 from typing import Any
 
 import cuspaudit
 from cuspaudit.algebra.trigonometric import factor_on_circles
-from cuspaudit.audit.answer import Answer, answer
+from cuspaudit.audit.answer import Answer, Undecided, answer
 from cuspaudit.audit.crosscheck import CrossCheck, crosscheck
 from cuspaudit.audit.witness import Witness, find_witness
 from cuspaudit.cuspidality.verdict import Verdict
@@ -67,6 +67,7 @@ class Audit:
         check: the comparison with Pinocchio.
         seconds: time of each stage.
         seed: of the random choices.
+        locked: joints held fixed, as the user wrote them.
     """
 
     robot: Robot
@@ -79,6 +80,7 @@ class Audit:
     check: CrossCheck
     seconds: Mapping[str, float]
     seed: int
+    locked: Mapping[str, str]
 
     def record(self, certificate: str | None = None) -> dict[str, Any]:
         """The audit as JSON, schema ``cuspaudit/audit/1``.
@@ -131,6 +133,7 @@ class Audit:
             "approximated": [
                 asdict(entry) for entry in self.answer.model.approximations
             ],
+            "locked": dict(self.locked),
             "notes": list(self.robot.notes),
         }
 
@@ -196,7 +199,7 @@ def audit(robot: Robot, options: Options | None = None) -> Audit:
     with clock.stage("decide"):
         found = answer(model, clock.step)
     with clock.stage("certify"):
-        witness = _certify(found, robot.chain, chain, clock)
+        found, witness = _certify(found, robot.chain, clock)
     with clock.stage("literal"):
         literal = _literal(robot.chain, chain, found, witness, clock)
     with clock.stage("crosscheck"):
@@ -213,6 +216,7 @@ def audit(robot: Robot, options: Options | None = None) -> Audit:
         check,
         clock.seconds,
         options.seed,
+        options.locked or {},
     )
 
 
@@ -249,18 +253,27 @@ class _Clock:
 
 
 def _certify(
-    found: Answer, literal: Chain, own: Chain, clock: _Clock
-) -> Witness | None:
-    """A witness for the literal numbers, or for the model's if those resist."""
+    found: Answer, literal: Chain, clock: _Clock
+) -> tuple[Answer, Witness | None]:
+    """A witness for the literal numbers, or for the model's if those resist.
+
+    Without a proved path there is no CUSPIDAL: the answer is then UNDECIDED.
+    """
     if found.verdict is not Verdict.CUSPIDAL:
-        return None
+        return found, None
     clock.step("certificate", always=True)
-    try:
-        return find_witness(found, literal)
-    except UnableError:
-        if literal == own:
-            raise
-        return find_witness(found, own)
+    failure: UnableError | None = None
+    for chain in dict.fromkeys((literal, found.model.chain)):
+        try:
+            return found, find_witness(found, chain)
+        except UnableError as limit:
+            failure = limit
+    why = f"Algorithm 1 finds a cuspidal couple, but its path resists proof: {failure}"
+    reason = Undecided("certificate", why, (), "a path farther from singular postures")
+    undecided = replace(
+        found, verdict=Verdict.UNDECIDED, why=why, rests_on=(), undecided=reason
+    )
+    return undecided, None
 
 
 def _literal(

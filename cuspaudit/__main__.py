@@ -1,0 +1,5 @@
+"""``python -m cuspaudit``."""
+
+from cuspaudit.cli import main
+
+main()

@@ -1,0 +1,96 @@
+"""What the commands print on a terminal, plain in a pipe."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from rich.console import Console
+from rich.markup import escape
+from rich.table import Table
+from rich.text import Text
+
+__all__ = ["print_summary", "print_understood"]
+
+COLOUR = {"cuspidal": "bold red", "noncuspidal": "bold green", "undecided": "yellow"}
+
+
+def print_summary(record: Mapping[str, Any], files: Mapping[str, Any]) -> None:
+    """The audit in a few aligned lines."""
+    console = Console(highlight=False, soft_wrap=True)
+    robot, verdict = record["robot"], record["verdict"]
+    proof, models = record["proof"], record["models"]
+    witness, singular = record["witness"], record["singular"]
+    table = Table.grid(padding=(0, 2))
+    rows = {
+        "robot": f"{robot['name']}: {robot['joints']} joints, {robot['task']} of "
+        f"{robot['tip']} from {robot['base']}",
+        "verdict": f"[{COLOUR[verdict]}]{verdict}[/]",
+        "why": proof["why"],
+        "proof": ", ".join([proof["kind"], *proof["rests_on"]]),
+        "literal": f"{models['literal']} for the numbers exactly as the file has them",
+        "snapped": f"{len(robot['snapped'])} numbers; see `cuspaudit import`"
+        if robot["snapped"]
+        else None,
+        "aspects": _count(record["aspects"]["count"], record["aspects"]["proved"]),
+        "postures": _count(record["postures"]["max"], record["postures"]["proved"]),
+        "cusps": _count(singular["cusps"], singular["cusps_proved"]),
+        "nodes": _count(singular["nodes"], singular["nodes_proved"]),
+        "det J": " · ".join(f"({f})" for f in singular["factors"]),
+        "cross-check": _check_line(record["crosscheck"]),
+        "settled by": (record["undecided"] or {}).get("would_settle"),
+    }
+    if witness and witness["clearance"] is not None:
+        rows["clearance"] = f"{witness['clearance']:.4f} of the largest |det J|"
+    rows |= {name: file for name, file in files.items() if file}
+    rows["time"] = f"{record['seconds']['total']:.2f} s"
+    for name, value in rows.items():
+        if value not in (None, ""):
+            markup = name == "verdict"
+            text = Text.from_markup(str(value)) if markup else Text(str(value))
+            table.add_row(Text(name, style="dim"), text)
+    console.print(table)
+
+
+def _count(value: int | None, proved: bool | None) -> str | None:
+    if value is None:
+        return None
+    return f"{value} ({'proved' if proved else 'not proved'})"
+
+
+def _check_line(check: Mapping[str, Any]) -> str:
+    return (
+        f"{check['engine']}, {check['samples']} postures, relative error "
+        f"{check['max_relative_error']:.1e}, {check['singular_points_checked']} "
+        "singular points"
+    )
+
+
+def print_understood(found: Mapping[str, Any]) -> None:
+    """The chain as a table, and what snapping changes."""
+    console = Console(highlight=False, soft_wrap=True)
+    console.print(
+        f"{found['name']}: {found['task']} of {found['tip']} from {found['base']}, "
+        f"lengths in {found['unit']}",
+        markup=False,
+    )
+    for note in found["notes"]:
+        console.print(f"note: {note}", markup=False)
+    table = Table("joint", "type", "axis", "before it", "limits", box=None)
+    for joint in found["joints"]:
+        cells = (joint[key] for key in ("name", "type", "axis", "before", "limits"))
+        table.add_row(*(_plain(cell) for cell in cells))
+    table.add_row("tool", "", "", _plain(found["tool"]), "")
+    console.print(table)
+    for entry in found["snapped"]:
+        console.print(
+            f"snapped: {entry['where']}: {entry['given']!r} -> {entry['used']} "
+            f"(difference {entry['difference']:.2e})",
+            markup=False,
+        )
+    if not found["snapped"]:
+        console.print("snapped: nothing; the model is the file's")
+
+
+def _plain(cell: Any) -> str:
+    return escape(cell if isinstance(cell, str) else "")
