@@ -151,17 +151,18 @@ def no_path_reason(audit: Audit) -> str:
 def counts(audit: Audit) -> list[Count]:
     """Aspects, postures, cusps and nodes, each with what the audit says of proof."""
     singular = part(audit, "singular")
+
+    def of_curve(name: str) -> dict[str, Any]:
+        return {"count": singular.get(name), "proved": singular.get(f"{name}_proved")}
+
     found = [
         ("Aspects", audit.get("aspects"), "regions free of singularities"),
         ("Postures of one pose, at most", audit.get("postures"), "inverse solutions"),
-        ("Cusps", singular.get("cusps"), "points where three postures meet"),
-        ("Nodes", singular.get("nodes"), "crossings of the critical curve"),
+        ("Cusps", of_curve("cusps"), "points where three postures meet"),
+        ("Nodes", of_curve("nodes"), "crossings of the critical curve"),
     ]
-    return [
-        Count(what, *_counted(value, singular.get("proved")), meaning)
-        for what, value, meaning in found
-        if value is not None
-    ]
+    counted = [(what, *_counted(value), meaning) for what, value, meaning in found]
+    return [Count(*row) for row in counted if row[1] != number(None)]
 
 
 def model_rows(audit: Audit) -> list[tuple[str, str, bool]]:
@@ -206,9 +207,10 @@ def _degrees(value: float) -> str:
     return f"{round(math.degrees(value), 3) + 0.0:.3f}°".replace("-", "−")
 
 
-def _counted(value: Any, proved: Any) -> tuple[str, bool | None]:
-    """The number in ``value``, bare or under count or max, and whether it is proved."""
-    if isinstance(value, Mapping):
-        proved = value.get("proved", proved)
-        value = next((value[k] for k in ("count", "max") if k in value), None)
-    return number(value), proved if isinstance(proved, bool) else None
+def _counted(value: Any) -> tuple[str, bool | None]:
+    """The number under count or max, and whether the audit calls it proved."""
+    if not isinstance(value, Mapping):
+        return number(None), None
+    found = next((value[k] for k in ("count", "max") if k in value), None)
+    proved = value.get("proved")
+    return number(found), proved if isinstance(proved, bool) else None
