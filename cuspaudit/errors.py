@@ -13,7 +13,7 @@
         DegenerateMapError
       RetryableError           an unlucky choice: another chart, or more bits, may do
         PrecisionError
-      UnableError              our limit, not mathematics: too large, too long, unwritten
+      UnableError              our limit, not mathematics: too large, too long
       CrossCheckError          exact and numeric answers disagree: one has a bug
 
 A search may catch ``RetryableError``; only a decision turns ``UnableError`` into

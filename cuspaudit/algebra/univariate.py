@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, lru_cache
 from itertools import pairwise
 from typing import Any
 
-from flint import arb, arb_poly, ctx, fmpq, fmpq_poly, fmpz_poly
+from flint import arb, arb_poly, ctx, fmpq, fmpq_poly, fmpz, fmpz_poly
 
 from cuspaudit.algebra.ring import Polynomial, Ring
 from cuspaudit.errors import PrecisionError
@@ -207,9 +207,15 @@ def real_balls(polynomial: fmpz_poly) -> list[arb]:
     Complete: FLINT isolates every complex root and returns a real one with imaginary
     part exactly 0.
     """
-    pairs: Any = polynomial.complex_roots()
+    return list(_real_balls(tuple(polynomial.coeffs()), ctx.prec))
+
+
+@lru_cache(maxsize=4096)
+def _real_balls(coefficients: tuple[fmpz, ...], bits: int) -> tuple[arb, ...]:
+    """Remembered, because the same fiber is asked for once a posture."""
+    pairs: Any = fmpz_poly(list(coefficients)).complex_roots()
     balls = [root.real for root, _ in pairs if root.imag == 0]
-    return sorted(balls, key=lambda ball: ball.mid())
+    return tuple(sorted(balls, key=lambda ball: ball.mid()))
 
 
 def disjoint_balls(roots: Sequence[RealRoot]) -> list[arb]:

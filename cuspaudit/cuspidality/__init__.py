@@ -1,1 +1,6 @@
 """The theorem applied: the decision of Algorithm 1 on a variety and a map."""
+
+from cuspaudit.cuspidality.decision import Couple, Decision, decide
+from cuspaudit.cuspidality.verdict import Verdict
+
+__all__ = ["Couple", "Decision", "Verdict", "decide"]

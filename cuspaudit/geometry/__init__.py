@@ -1,1 +1,23 @@
 """The routines of the paper, one file each; nothing here knows a robot."""
+
+from cuspaudit.geometry.atypical_values import atypical_values
+from cuspaudit.geometry.crit import crit
+from cuspaudit.geometry.cusps import cusps
+from cuspaudit.geometry.graph_connected import graph_connected
+from cuspaudit.geometry.graph_isotop import graph_isotop
+from cuspaudit.geometry.nodes import nodes
+from cuspaudit.geometry.roadmap import roadmap
+from cuspaudit.geometry.sample_points import sample_points
+from cuspaudit.geometry.sample_points_rational import sample_points_rational
+
+__all__ = [
+    "atypical_values",
+    "crit",
+    "cusps",
+    "graph_connected",
+    "graph_isotop",
+    "nodes",
+    "roadmap",
+    "sample_points",
+    "sample_points_rational",
+]
