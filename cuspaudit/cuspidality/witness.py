@@ -22,7 +22,7 @@ from cuspaudit.cuspidality.decision import Couple, Decision
 from cuspaudit.geometry.sample_points import Posture
 from cuspaudit.geometry.surface import Factor, Surface
 
-__all__ = ["SurfacePath", "propose_path", "propose_paths"]
+__all__ = ["SurfacePath", "posture_angles", "propose_path", "propose_paths"]
 
 Array = NDArray[np.float64]
 _BITS = 128
@@ -71,6 +71,12 @@ def propose_paths(decision: Decision) -> Iterator[SurfacePath]:
         yield propose_path(decision, couple)
 
 
+def posture_angles(decision: Decision, posture: Posture) -> Array:
+    """The coordinates of a posture as in `SurfacePath.points`."""
+    pair = _angles(decision.surface, posture)
+    return pair[::-1] if _is_swapped(decision.surface) else pair
+
+
 def propose_path(decision: Decision, couple: Couple) -> SurfacePath:
     """A path joining the couple inside its aspect, as far as sampling can tell."""
     land = _Landscape(decision, couple.sign)
@@ -79,7 +85,7 @@ def propose_path(decision: Decision, couple: Couple) -> SurfacePath:
     keep = _KEPT * min(smallest, *land.height(path[[0, -1]]))
     path = _shorten(path, lambda piece: land.height(_resample(piece)).min() >= keep)
     smallest = float(land.height(_resample(path)).min())
-    order = [1, 0] if land.is_swapped else [0, 1]
+    order = [1, 0] if _is_swapped(land.surface) else [0, 1]
     first = float(land.height(path[:1])[0])
     return SurfacePath(path[:, order], couple.sign, first, smallest, land.largest)
 
@@ -90,8 +96,6 @@ class _Landscape:
     def __init__(self, decision: Decision, sign: int) -> None:
         self.surface: Surface = decision.surface
         ring = self.surface.ring
-        first = ring.variables.index(self.surface.fiber.names[0])
-        self.is_swapped = first > ring.variables.index(self.surface.base.names[0])
         self.delta = NumericPolynomial(ring, sign * decision.delta)
         parts = self.surface.affine_parts(sign * decision.delta)
         assert parts is not None, "orient chose the fiber so"
@@ -146,6 +150,12 @@ class _Landscape:
         along = np.stack([middle, base], axis=1)
         last = np.array([goal[0], base[-1]])
         return np.vstack([start, along, last])
+
+
+def _is_swapped(surface: Surface) -> bool:
+    """Whether the fiber comes after the base in the ring's order."""
+    place = surface.ring.variables.index
+    return place(surface.fiber.names[0]) > place(surface.base.names[0])
 
 
 def _angles(surface: Surface, posture: Posture) -> Array:
