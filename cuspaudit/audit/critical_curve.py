@@ -16,6 +16,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cuspaudit.audit.joint_surface import FULL_TURN, Array, JointSurface
 
@@ -105,10 +106,12 @@ def bands(surface: JointSurface) -> list[Band]:
         numbers = list(range(len(road.strips)))
     signs = [road.strips[number].signs for number in numbers]
     found = []
-    for i, (number, (low, high)) in enumerate(zip(numbers, pairwise(ends), strict=True)):
+    for i, (number, (low, high)) in enumerate(
+        zip(numbers, pairwise(ends), strict=True)
+    ):
         folds = [False, False]
         if surface.fiber.kind == "circle":
-            inner = road.is_closed or 0 < i
+            inner = road.is_closed or i > 0
             folds[0] = inner and len(signs[i - 1]) == 1
             inner = road.is_closed or i + 1 < len(numbers)
             folds[1] = inner and len(signs[(i + 1) % len(signs)]) == 1
@@ -151,9 +154,7 @@ def trace(piece: Piece) -> tuple[Array, Array]:
     return s, _drawable(surface, piece.points(s))
 
 
-def _spans(
-    surface: JointSurface, band: Band
-) -> Iterator[tuple[float, float, int]]:
+def _spans(surface: JointSurface, band: Band) -> Iterator[tuple[float, float, int]]:
     if surface.fiber.kind == "line":
         yield _END, math.pi - _END, 0
     elif band.is_ring:
@@ -170,7 +171,7 @@ def _spans(
         yield math.pi + _END, FULL_TURN - _END, 0
 
 
-def _far(points: Array, limit: float | None) -> Array:
+def _far(points: Array, limit: float | None) -> NDArray[np.bool_]:
     """Which steps are longer than ``limit``, by default 1/300 of the whole extent."""
     steps = np.abs(np.diff(points, axis=0)).max(axis=1)
     if limit is None:

@@ -114,13 +114,13 @@ class JointSurface:
         if joint.kind == "prismatic":
             return np.asarray(values / np.linalg.norm(self.directions[0]))
         rho = np.sqrt(np.maximum(u - v * v, 0))
-        return np.stack([rho, v + self._rise], axis=1)
+        return np.stack([rho, v + self.rise], axis=1)
 
     def values_at(self, plane: Array) -> Array:
         """(m, 2) values (u, v) of R at points of the plane that is drawn."""
         if self.model.joints[0].kind == "prismatic":
             return np.asarray(plane * np.linalg.norm(self.directions[0]))
-        rho, z = plane[:, 0], plane[:, 1] - self._rise
+        rho, z = plane[:, 0], plane[:, 1] - self.rise
         return np.stack([rho**2 + z**2, z], axis=1)
 
     @property
@@ -131,7 +131,7 @@ class JointSurface:
         return np.array([across, np.cross(axis, across)])
 
     @property
-    def _rise(self) -> float:
+    def rise(self) -> float:
         """Height of the origin of `reduced_map` above the first joint's frame."""
         first, second = self.model.joints[:2]
         along = dot(self.model.ring, first.axis, second.before.translation)
