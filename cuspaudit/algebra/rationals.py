@@ -18,10 +18,10 @@ def rationals_between(low: arb | None, high: arb | None) -> Iterator[fmpq]:
     """
     left, right = fmpq(-1), fmpq(1)
     if low is not None:
-        left = exact_rational(low.upper())
+        left = exact_rational(low) + exact_rational(low.rad())
         right = fmpq(left.ceil() + 3)
     if high is not None:
-        right = exact_rational(high.lower())
+        right = exact_rational(high) - exact_rational(high.rad())
         left = fmpq(right.floor() - 3) if low is None else left
     width = right - left
     for k in range(_TRIES):

@@ -7,11 +7,11 @@ from dataclasses import dataclass
 
 from cuspaudit.cuspidality.decision import Decision, decide
 from cuspaudit.cuspidality.verdict import Verdict
-from cuspaudit.errors import UnableError
+from cuspaudit.errors import DegenerateMapError, UnableError
 from cuspaudit.geometry.cusps import Count, cusps
 from cuspaudit.geometry.nodes import nodes
 from cuspaudit.kinematics.exact_model import ExactModel
-from cuspaudit.kinematics.polynomial_map import reduced_map
+from cuspaudit.kinematics.polynomial_map import jacobian_determinant, reduced_map
 from cuspaudit.kinematics.reductions import LOOKED_FOR, Reduction, reduce_six_joints
 
 __all__ = ["Answer", "Undecided", "answer"]
@@ -121,6 +121,8 @@ def _six_joints(model: ExactModel, progress: Progress) -> Answer:
     progress("reductions")
     reduction = reduce_six_joints(model)
     if reduction is None:
+        if jacobian_determinant(model) == 0:
+            raise DegenerateMapError("det J vanishes at every posture")
         return _undecided(
             model,
             "reductions",

@@ -56,6 +56,8 @@ class CrossCheck:
         allowed_error: what ``max_relative_error`` was held to.
         path_points_checked: way points and midpoints without loss of rank.
         seed: of the random postures.
+        against: "URDF" when Pinocchio read the robot's own file, "chain" when it was
+            given the exact chain (no URDF, or one that Pinocchio refuses).
     """
 
     engine: str
@@ -66,6 +68,7 @@ class CrossCheck:
     allowed_error: float
     path_points_checked: int
     seed: int
+    against: str
 
 
 def crosscheck(
@@ -126,6 +129,7 @@ def crosscheck(
         allowed_error=max(allowed for _, allowed in results),
         path_points_checked=checked,
         seed=seed,
+        against="chain" if urdf is None else "URDF",
     )
 
 

@@ -30,6 +30,7 @@ __all__ = [
     "Placed",
     "arm_from_chain",
     "arm_from_urdf",
+    "is_readable",
     "reach_scale",
 ]
 
@@ -121,6 +122,15 @@ def arm_from_chain(chain: Chain) -> PinocchioArm:
         parent = model.addJoint(parent, kind, _placement(joint.before), joint.name)
     tool = pin.Frame("tip", parent, 0, _placement(chain.tool), pin.FrameType.OP_FRAME)
     return PinocchioArm(chain, model, base=0, tip=model.addFrame(tool))
+
+
+def is_readable(path: Path) -> bool:
+    """Whether Pinocchio reads the URDF; odd effort limits, say, make it refuse."""
+    try:
+        pin.buildModelFromUrdf(str(path))
+    except (ValueError, RuntimeError):
+        return False
+    return True
 
 
 def arm_from_urdf(

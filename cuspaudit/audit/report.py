@@ -15,12 +15,13 @@ import cuspaudit
 from cuspaudit.algebra.trigonometric import factor_on_circles
 from cuspaudit.audit.answer import Answer, Undecided, answer
 from cuspaudit.audit.crosscheck import CrossCheck, crosscheck
+from cuspaudit.audit.pinocchio_model import is_readable
 from cuspaudit.audit.witness import Witness, find_witness
 from cuspaudit.cuspidality.verdict import Verdict
-from cuspaudit.errors import AssumptionError, UnableError
+from cuspaudit.errors import AssumptionError, DegenerateMapError, UnableError
 from cuspaudit.geometry.cusps import Count
 from cuspaudit.kinematics.chain import Angle, Chain
-from cuspaudit.kinematics.exact_model import exact_model
+from cuspaudit.kinematics.exact_model import ExactModel, exact_model
 from cuspaudit.kinematics.export import circle_names
 from cuspaudit.kinematics.polynomial_map import jacobian_determinant
 from cuspaudit.kinematics.robot import Robot
@@ -197,7 +198,7 @@ def audit(robot: Robot, options: Options | None = None) -> Audit:
         chain, snapped = snap(robot.chain)
         model = exact_model(chain)
     with clock.stage("decide"):
-        found = answer(model, clock.step)
+        found = _decide(robot, model, clock)
     with clock.stage("certify"):
         found, witness = _certify(found, robot.chain, clock)
     with clock.stage("literal"):
@@ -250,6 +251,17 @@ class _Clock:
         if late and not always:
             raise UnableError(name, f"the time limit of {limit:g} s has passed")
         self._options.progress(name)
+
+
+def _decide(robot: Robot, model: ExactModel, clock: _Clock) -> Answer:
+    try:
+        return answer(model, clock.step)
+    except DegenerateMapError as error:
+        chain = model.chain
+        raise DegenerateMapError(
+            f"{robot.file}: {error}, so {chain.tip} never moves with the {chain.task} "
+            "task's full freedom; choose another tip (--tip), task or joint to lock"
+        ) from None
 
 
 def _certify(
@@ -305,9 +317,10 @@ def _check(
     options: Options,
 ) -> CrossCheck:
     literal = exact_model(robot.chain) if snapped else None
+    urdf = robot.urdf if robot.urdf and is_readable(robot.urdf) else None
     return crosscheck(
         found.model,
-        urdf=robot.urdf,
+        urdf=urdf,
         literal=literal,
         locked=options.locked,
         path=None if witness is None else list(witness.path),

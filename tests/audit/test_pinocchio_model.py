@@ -94,3 +94,20 @@ def test_another_file_is_refused(seven: Path, tmp_path: Path) -> None:
     broken.write_text("<robot")
     with pytest.raises(InvalidRobotError, match="Pinocchio cannot read it"):
         arm_from_urdf(chain, broken)
+
+
+def test_a_file_that_pinocchio_refuses_is_checked_by_its_chain(tmp_path: Path) -> None:
+    """An odd effort limit stops Pinocchio's reader, not the audit: the chain serves."""
+    from cuspaudit.audit.library import example_robot_data, open_robot
+    from cuspaudit.audit.report import audit
+
+    share = example_robot_data()
+    assert share is not None
+    source = share / "example-robot-data/robots/ur_description/urdf/ur5_robot.urdf"
+    if not source.exists():
+        source = next(share.rglob("ur5_robot.urdf"))
+    file = tmp_path / "ur5.urdf"
+    file.write_text(source.read_text().replace('effort="150.0"', 'effort="-1"'))
+    result = audit(open_robot(file))
+    assert result.check.against == "chain"
+    assert result.verdict.value == "noncuspidal"
