@@ -187,7 +187,9 @@ def _wall_nodes(
     found = []
     for index, root in road.walls.items():
         wall = surface.base_at(root)
-        fiber = next(p for piece, _, p in traced if piece.wall == wall and not piece.band)
+        fiber = next(
+            p for piece, _, p in traced if piece.wall == wall and not piece.band
+        )
         values = surface.values(fiber)
         beside = (road.strips[index], road.strips[(index + 1) % len(road.strips)])
         if np.ptp(values, axis=0).max() < _SAME and all(

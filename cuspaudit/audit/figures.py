@@ -167,9 +167,14 @@ def _refocused(
 def _notes(found: Answer, value: ValuePlane) -> list[str]:
     notes = []
     if found.reduction is not None:
-        notes.append(f"The three joints that decide: {found.reduction.kind}.")
+        which = (
+            "last three joints, from tip to base,"
+            if (found.reduction.is_reversed)
+            else "first three joints"
+        )
+        notes.append(f"The {which} of an arm with a {found.reduction.kind}.")
     if value.beyond:
-        notes.append(f"{value.beyond} sample points lie outside the window.")
+        notes.append(f"Sample points outside the window: {value.beyond}.")
     if found.nodes is not None and not found.nodes.proved:
         notes.append("Nodes are not marked: their number is not proved.")
     return notes

@@ -169,15 +169,38 @@ def _aspects(
             regions += sheet.copies(_polygon(low, high, base))
             middle = np.stack([(low + high) / 2, base], axis=1)
             lines += sheet.copies(middle[1:-1])
-            width = np.minimum(high - low, 2.0)
-            at = int(np.argmax(width * np.minimum(base - base[0], base[-1] - base)))
-            room = float(width[at] * (base[-1] - base[0]))
-            places.append((room, sheet.home(surface.joint_values(middle[at : at + 1]))))
+            places += _places(surface, sheet, low, high, base, ends)
         for end, owner in zip(ends, numbers, strict=True):
             if owner == number + 1:
                 lines += sheet.copies(_through(surface, end, sign))
-        label = max(places, key=lambda place: place[0])[1][0]
+        label = max(places, key=lambda place: place[0])[1]
         yield Aspect(number + 1, sign, tuple(regions), tuple(lines), label)
+
+
+def _places(
+    surface: JointSurface,
+    sheet: _Sheet,
+    low: Array,
+    high: Array,
+    base: Array,
+    ends: Array,
+) -> Iterator[tuple[float, Array]]:
+    """Places for a name, with the distance to all that it could cover."""
+    home = sheet.home(surface.joint_values(ends))
+    left, right, bottom, top = sheet.window
+    rows = slice(_STEPS // 60, -_STEPS // 60, _STEPS // 30)
+    inside = np.minimum(base - base[0], base[-1] - base)[rows]
+    for part in (0.3, 0.42, 0.58, 0.7):
+        across = low + part * (high - low)
+        points = np.stack([across, base], axis=1)[rows]
+        spots = sheet.home(surface.joint_values(points))
+        edge = np.minimum(spots - (left, bottom), (right, top) - spots).min(axis=1)
+        room = np.minimum(edge, 0.3 * (high - low)[rows])
+        room = np.minimum(room, inside)
+        for point in home:
+            room = np.minimum(room, np.linalg.norm(spots - point, axis=1))
+        best = int(np.argmax(room))
+        yield float(room[best]), spots[best]
 
 
 def _parameters(band: Band) -> Array:
@@ -216,6 +239,6 @@ def _labels(surface: JointSurface) -> tuple[str, str]:
     for number, joint in enumerate(surface.model.joints[1:], 2):
         unit = "rad" if joint.kind == "revolute" else surface.model.chain.unit
         letter = "θ" if joint.kind == "revolute" else "d"
-        own = joint.name if joint.name != f"joint_{number}" else f"joint {number}"
-        found.append(f"{letter}{'₂₃'[number - 2]}: {own} ({unit})")
+        name = joint.name.replace("_", " ")
+        found.append(f"{letter}{'₂₃'[number - 2]}: {name} ({unit})")
     return found[0], found[1]

@@ -39,7 +39,7 @@ class ValuePlane:
         points: (k, 2) critical values that are the whole image of a critical fiber.
         cusps: (k, 2), as many as are proved.
         nodes: (k, 2), as many as are proved; none when their number is not.
-        samples: (k, 2) rational values, one in every cell that can be reached.
+        samples: (k, 2) rational values, one at least in every cell of the plane.
         sample_postures: (k,) the proved number of postures of each.
         focus: (2,) the value whose postures are drawn in the plane of joints.
         grid: (rows from the bottom, columns) number of postures, in floating point.
@@ -199,6 +199,7 @@ def _counts(
 
 def _labels(surface: JointSurface) -> tuple[str, str]:
     first, unit = surface.model.joints[0].name, surface.model.chain.unit
+    first = first.replace("_", " ")
     if surface.model.joints[0].kind == "revolute":
         return (
             f"ρ: distance from the axis of {first} ({unit})",
