@@ -100,14 +100,17 @@ class Ring:
         return polynomial.subs({name: fmpq(value) for name, value in values.items()})
 
     def evaluate(self, polynomial: Polynomial, values: Mapping[str, arb]) -> arb:
-        """An enclosure of ``polynomial`` at balls for every variable it uses."""
+        """An enclosure of ``polynomial`` at balls for every variable it uses.
+
+        Powers are products: python-flint's power of a ball that meets 0 is nan.
+        """
         names = self.variables
         total = arb(0)
         for exponents, coefficient in polynomial.to_dict().items():
             term = arb(coefficient)
             for name, exponent in zip(names, exponents, strict=False):
-                if exponent:
-                    term *= values[name] ** exponent
+                for _ in range(int(exponent)):
+                    term *= values[name]
             if self.radicand and exponents[-1]:
                 term *= arb(self.radicand).sqrt() ** exponents[-1]
             total += term

@@ -77,7 +77,7 @@ def cusps(road: Roadmap, mapping: PolynomialMap, delta: Polynomial) -> Count:
     is_line = surface.fiber.kind == "line"
     change, branches = _on_critical_curve(surface, delta, mapping)
     branches = [branch for branch in branches if not branch.norm.is_zero]
-    if not branches:
+    if not branches or change.is_zero:
         return Count(0, False)
     total, proved = 0, _walls_have_no_cusp(road, mapping)
     for root in real_roots(branches[0].norm):
@@ -156,8 +156,10 @@ def _substitute(
     below: Polynomial,
 ) -> Polynomial:
     """``function`` at place / below on the fiber, times positive factors."""
+    if function == 0:
+        return ring.constant(0)
     parts = surface.ring.coefficients(function, surface.fiber.names)
-    degree = max((sum(key) for key in parts), default=0)
+    degree = max(sum(key) for key in parts)
     degree += degree % 2
     coefficients = _to_base(surface, ring, tuple(parts.values()))
     total = ring.constant(0)

@@ -79,18 +79,18 @@ class FiberPolynomials:
 
         A posture is missed when its separating coordinate is infinite (the leading
         coefficient of F is 0) or its other one is (the leading coefficients of E_1
-        and E_2 in it have a common zero).
+        and E_2 in it have a common zero). On a line neither is infinite. On a circle
+        the leading coefficient of E_i is a power of 1 + t^2, t the separating
+        coordinate, times a polynomial without factor in t alone.
         """
-        gap = leading_coefficient(self.ring, self.polynomial, self.separating)
-        e1, e2 = (self._dense(equation) for equation in self.equations)
-        if e1[2] != 0 and e2[2] != 0:
-            gap *= primitive_part(
-                self.ring,
-                resultant(self.ring, e1[2], e2[2], self.separating),
-                self.separating,
-                ("u", "v"),
-            )
-        return self.ring.reduce(gap)
+        ring, keep = self.ring, self.separating
+        gap = leading_coefficient(ring, self.polynomial, keep)
+        leading = [self._dense(equation)[2] for equation in self.equations]
+        if all(entry != 0 for entry in leading):
+            e1, e2 = (primitive_part(ring, e, keep, ("u", "v")) for e in leading)
+            common = resultant(ring, e1, e2, keep)
+            gap *= primitive_part(ring, common, keep, ("u", "v"))
+        return ring.reduce(gap)
 
     def _dense(self, equation: Polynomial) -> list[Polynomial]:
         parts = self.ring.coefficients(equation, [self.other])
@@ -157,11 +157,12 @@ def _check_multiple_roots(
     places = real_roots(Univariate.from_polynomial(ring, places_at, keep))
     slope = fibers.polynomial.derivative(keep)
     pulled = _pull_back(ring, slope, charted)
+    lines = [
+        Univariate.from_polynomial(ring, coefficient, keep)
+        for coefficient in ring.coefficients(pulled, [other]).values()
+    ]
     for root in places:
-        defining = ring.constant(0)
-        for i, c in enumerate(root.polynomial.coeffs()):
-            defining += ring.constant(int(c)) * ring.gen(keep) ** i
-        if divmod(pulled, defining)[1] != 0:
+        if any(line.sign_at(root) != 0 for line in lines):
             raise UnableError(
                 "atypical_values",
                 f"a critical posture may hide over {keep} = {float(root):.6g}",

@@ -136,7 +136,7 @@ def _degree_at_most(ring: Ring, polynomial: Polynomial, degree: int) -> bool:
 def _count(ring: Ring, conic: Conic) -> int | None:
     """The number of nodes, or None when the precision does not settle a sign."""
     a, b, e = (_value(ring, entry) for entry in conic[:3])
-    spread = ((a - e) ** 2 + 4 * b * b).sqrt()
+    spread = ((a - e) * (a - e) + 4 * b * b).sqrt()
     if b.contains(0) or spread.contains(0):
         return None
     total = 0
@@ -191,9 +191,9 @@ def _intersect(
         return None
     slope, start = -beta / alpha, -gamma / alpha
     q = {key[::-1] if flip else key: value for key, value in quadric.items()}
-    q2 = q[2, 0] * slope**2 + q[1, 1] * slope + q[0, 2]
+    q2 = q[2, 0] * slope * slope + q[1, 1] * slope + q[0, 2]
     q1 = 2 * q[2, 0] * slope * start + q[1, 1] * start + q[1, 0] * slope + q[0, 1]
-    q0 = q[2, 0] * start**2 + q[1, 0] * start + q[0, 0]
+    q0 = q[2, 0] * start * start + q[1, 0] * start + q[0, 0]
     square = q1 * q1 - 4 * q2 * q0
     if q2.contains(0) or square.contains(0):
         return None

@@ -119,11 +119,26 @@ def sample_points(fibers: FiberPolynomials, value: tuple[fmpq, fmpq]) -> Fiber:
 def isolated_real_roots(polynomial: Univariate) -> list[arb]:
     """Balls of the real roots of a polynomial with simple roots, increasing.
 
-    Over Q(sqrt m) the complex roots are isolated with ball coefficients; a root whose
-    ball meets the real axis is real, since its conjugate lies in the same ball.
+    Over Q(sqrt m) the complex roots are isolated with ball coefficients, to half of
+    the working precision; a root whose ball meets the real axis is real, since its
+    conjugate lies in the same ball.
+
+    Raises:
+        PrecisionError: the roots were not separated.
     """
     if polynomial.radicand is None or polynomial.surd == 0:
         return real_balls(polynomial.rational.numer())
-    found = acb_poly(polynomial.ball_polynomial).roots()
-    balls = [root.real for root in found if root.imag.contains(0)]
-    return sorted(balls, key=lambda ball: ball.mid())
+    saved, bits = ctx.prec, int(ctx.prec)
+    try:
+        for ctx.prec in (bits, *(more for more in PRECISIONS if more > bits)):
+            try:
+                found = acb_poly(polynomial.ball_polynomial).roots(
+                    arb(2) ** -(bits // 2)
+                )
+            except ValueError:
+                continue
+            balls = [root.real for root in found if root.imag.contains(0)]
+            return sorted(balls, key=lambda ball: ball.mid())
+    finally:
+        ctx.prec = saved
+    raise PrecisionError("roots of a fiber polynomial", PRECISIONS[-1])

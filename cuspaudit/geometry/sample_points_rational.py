@@ -68,11 +68,19 @@ def _lift(
         polynomials = rational_factors(ring, polynomials)
         projected = _project(ring, polynomials, last)
     projected = square_free_factors(ring, projected)
-    for point in _lift(ring, projected, tuple(below), lambda point: True):
+    above: list[fmpq] = []
+
+    def lifts(point: Point) -> bool:
         values = dict(zip(below, point, strict=True))
         fiber = [ring.substitute(p, values) for p in polynomials]
-        for x in _between(ring, fiber, last, accept, point):
-            yield (*point, x)
+        try:
+            above[:] = _between(ring, fiber, last, accept, point)
+        except UnableError:
+            return False
+        return True
+
+    for point in _lift(ring, projected, tuple(below), lifts):
+        yield from ((*point, x) for x in above)
 
 
 def _project(ring: Ring, polynomials: list[Polynomial], name: str) -> list[Polynomial]:
