@@ -17,7 +17,7 @@ audit: $(VENV)/installed
 	  --html audits/chablat-2022-3r.html
 	$(BIN)/cuspaudit verify audits/chablat-2022-3r.certificate.json
 	$(AUDIT) ur5_robot --json audits/ur5_robot.json \
-	  --certificate audits/ur5_robot.certificate.json --html audits/ur5_robot.html
+	  --certificate audits/ur5_robot.record.json --html audits/ur5_robot.html
 	@echo "Open audits/chablat-2022-3r.html and audits/ur5_robot.html in a browser."
 
 test: $(VENV)/installed-test browser

@@ -133,7 +133,11 @@ def audit(
         Path | None, typer.Option(help="Write an offline page with the animation.")
     ] = None,
     certificate: Annotated[
-        Path | None, typer.Option(help="Write the certificate of a cuspidal verdict.")
+        Path | None,
+        typer.Option(
+            help="Write the proof: the certificate of a cuspidal verdict, else the "
+            "record of the exact run."
+        ),
     ] = None,
     engine: Annotated[
         Engine, typer.Option(help="Route of the decision.")
@@ -146,6 +150,7 @@ def audit(
 ) -> None:
     """Import, decide, certify, cross-check and report: the main job."""
     del engine
+    from cuspaudit.audit.proof_record import proof_record
     from cuspaudit.audit.writing import check_writable, write_text
 
     files = [f for f in (html, certificate) if f is not None]
@@ -158,8 +163,8 @@ def audit(
     proof = _certificate_text(result)
     written = str(certificate) if certificate and proof else None
     record = result.record(written)
-    if certificate and proof:
-        write_text(certificate, proof)
+    if certificate:
+        write_text(certificate, proof or proof_record(result.answer))
     if html:
         write_text(html, _page(record, result, proof))
     if json_file == "-":
@@ -167,9 +172,10 @@ def audit(
     else:
         if json_file:
             write_text(Path(json_file), json.dumps(record, indent=1, allow_nan=False))
-        print_summary(record, {"page": html, "certificate": written, "JSON": json_file})
+        kept = {"page": html, "certificate": written, "JSON": json_file}
         if certificate and not proof:
-            typer.echo("no certificate: only a cuspidal verdict has one")
+            kept["record of the run"] = str(certificate)
+        print_summary(record, kept)
     raise typer.Exit(0 if exit_zero else EXIT[record["verdict"]])
 
 

@@ -1,0 +1,95 @@
+"""The record of an exact run: what a noncuspidal verdict is re-checked with.
+
+A cuspidal verdict has a certificate. For the other, the steps of Algorithm 1 are
+written down with their numbers: the polynomials, the rational sample values, the
+postures of each in isolating balls, the aspect each lies in and the graph that says
+so. The claim to re-check is that no two postures of one value share an aspect.
+"""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+from flint import arb
+
+import cuspaudit
+from cuspaudit.audit.answer import Answer
+from cuspaudit.cuspidality.decision import Decision
+from cuspaudit.geometry.sample_points import Fiber
+
+__all__ = ["SCHEMA", "proof_record"]
+
+SCHEMA = "cuspaudit/record/1"
+_BITS = 64
+_DIGITS = 15
+
+
+def proof_record(answer: Answer) -> str:
+    """The record of ``answer`` as JSON text, schema ``cuspaudit/record/1``."""
+    reduction = answer.reduction
+    record = {
+        "schema": SCHEMA,
+        "robot": answer.model.chain.name,
+        "task": answer.model.chain.task,
+        "verdict": answer.verdict.value,
+        "why": answer.why,
+        "rests_on": list(answer.rests_on),
+        "reduction": reduction.kind if reduction else None,
+        "approximated": [
+            {"where": a.where, "difference": a.difference}
+            for a in answer.model.approximations
+        ],
+        "run": _run(answer.decision) if answer.decision else None,
+        "made_by": f"cuspaudit {cuspaudit.__version__}",
+    }
+    return json.dumps(record, indent=1) + "\n"
+
+
+def _run(decision: Decision) -> dict[str, Any]:
+    road, surface = decision.roadmap, decision.surface
+    return {
+        "ring": repr(surface.ring),
+        "delta": str(decision.delta),
+        "fiber": {"kind": surface.fiber.kind, "variables": surface.fiber.names},
+        "base": {
+            "kind": surface.base.kind,
+            "variables": surface.base.names,
+            "chart_from": [str(entry) for entry in surface.base.rotation],
+        },
+        "fiber_polynomial": str(decision.fibers.polynomial),
+        "atypical_values": [str(p) for p in decision.atypical],
+        "roadmap": {
+            "critical": [
+                {
+                    "polynomial": str(root.polynomial),
+                    "near": _text(root.enclosure(_BITS)),
+                }
+                for root in road.critical
+            ],
+            "passing": list(road.passing),
+            "strips": [
+                {"sample": str(strip.sample), "signs": strip.signs}
+                for strip in road.strips
+            ],
+        },
+        "aspects": decision.aspects,
+        "samples": [_sample(decision, fiber) for fiber in decision.samples],
+    }
+
+
+def _sample(decision: Decision, fiber: Fiber) -> dict[str, Any]:
+    return {
+        "value": [str(entry) for entry in fiber.value],
+        "postures": [
+            {
+                **{n: _text(b) for n, b in posture.coordinates(_BITS).items()},
+                "aspect": decision.graph.aspect(posture),
+            }
+            for posture in fiber.postures
+        ],
+    }
+
+
+def _text(ball: arb) -> str:
+    return str(ball.str(_DIGITS))
