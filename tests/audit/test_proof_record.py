@@ -1,6 +1,7 @@
 from __future__ import annotations
 
 import json
+from typing import Any
 
 import pytest
 
@@ -10,12 +11,16 @@ from cuspaudit.audit.proof_record import SCHEMA, proof_record
 from cuspaudit.kinematics.exact_model import exact_model
 
 
-def record_of(name: str) -> dict:
-    return json.loads(proof_record(answer(exact_model(open_robot(name).chain))))
+def record_of(name: str) -> dict[str, Any]:
+    """The record of a robot of ours."""
+    record: dict[str, Any] = json.loads(
+        proof_record(answer(exact_model(open_robot(name).chain)))
+    )
+    return record
 
 
 @pytest.mark.parametrize("name", ["puma-560-arm", "baili-2004-wt8", "puma-560"])
-def test_noncuspidal_record_has_every_posture_in_an_aspect_of_its_own(
+def test_noncuspidal_record_separates_the_postures(
     name: str,
 ) -> None:
     """In the record of a noncuspidal run no two postures of a value share an aspect."""
