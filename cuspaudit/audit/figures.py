@@ -6,9 +6,8 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 
 import numpy as np
-from flint import fmpq
 
-from cuspaudit.algebra.ring import rational
+from cuspaudit.algebra.ring import Rational, rational
 from cuspaudit.audit.answer import Answer, answer
 from cuspaudit.audit.critical_curve import pieces, trace, wall_pieces
 from cuspaudit.audit.critical_points import critical_points
@@ -139,7 +138,7 @@ def _fiber_at(surface: JointSurface, at: Point) -> Fiber:
         z = y - Fraction(surface.rise).limit_denominator(10**9)
         x, y = x * x + z * z, z
     value = (rational(x), rational(y))
-    places: dict[str, fmpq | int] = dict(zip(("u", "v"), value, strict=True))
+    places: dict[str, Rational | int] = dict(zip(("u", "v"), value, strict=True))
     for condition in (fibers.discriminant, fibers.chart_gap()):
         if fibers.ring.substitute(condition, places) == 0:
             raise InvalidInputError(

@@ -11,10 +11,10 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from flint import fmpq
 from numpy.typing import NDArray
 
 from cuspaudit.algebra.numeric import numeric_values
+from cuspaudit.algebra.ring import Rational
 from cuspaudit.audit.critical_curve import Piece
 from cuspaudit.audit.critical_points import CriticalPoints
 from cuspaudit.audit.joint_surface import Array, JointSurface
@@ -159,7 +159,7 @@ def _is_real(surface: JointSurface, fiber: Fiber) -> bool:
     return surface.model.joints[0].kind == "prismatic" or bool(u >= v * v)
 
 
-def _float(value: fmpq) -> float:
+def _float(value: Rational) -> float:
     return int(value.p) / int(value.q)
 
 
