@@ -12,9 +12,9 @@ from math import lcm
 from typing import Any
 
 import sympy
-from flint import Ordering, fmpq, fmpz_mpoly, fmpz_mpoly_ctx, fmpz_poly
+from flint import Ordering, fmpq, fmpz, fmpz_mpoly, fmpz_mpoly_ctx, fmpz_poly
 
-from cuspaudit.algebra.interpolation import interpolated_discriminant
+from cuspaudit.algebra.interpolation import Row, interpolated_discriminant
 from cuspaudit.algebra.ring import Polynomial, Ring
 from cuspaudit.algebra.univariate import Univariate
 
@@ -42,16 +42,21 @@ def discriminant(ring: Ring, p: Polynomial, name: str) -> Polynomial:
     """The discriminant of ``p`` with respect to ``name``, up to a positive constant.
 
     Denominators are cleared first: FLINT is twice as fast over Z. In two variables
-    the discriminant is interpolated from those of univariate polynomials, which is
-    four times as fast again on the curves of critical values.
+    the discriminant is interpolated from those of univariate polynomials: on the
+    curves of critical values four times as fast again, nine times over Q(sqrt m).
     """
     integral = _over_z(ring, p)
-    used = [n for n in ring.context.names() if integral.derivative(n) != 0]
+    used = [n for n in ring.variables if integral.derivative(n) != 0]
     others = [n for n in used if n != name]
     if len(others) == 1 and name in used:
-        dense = interpolated_discriminant(_rows(integral, others[0], name))
+        rows = _rows(ring, integral, others[0], name)
+        halves = interpolated_discriminant(rows, ring.radicand)
         other = ring.gen(others[0])
-        return ring.total(fmpq(c) * other**i for i, c in enumerate(dense) if c)
+        plain, surd = (
+            ring.total(fmpq(c) * other**i for i, c in enumerate(half) if c)
+            for half in halves
+        )
+        return plain + surd * ring.surd if ring.radicand else plain
     value = integral.discriminant(name)
     return ring.reduce(ring.context.from_dict(value.to_dict()))
 
@@ -121,15 +126,15 @@ def rational_factors(ring: Ring, polynomials: Iterable[Polynomial]) -> list[Poly
     return found
 
 
-def _rows(p: fmpz_mpoly, outer: str, inner: str) -> list[fmpz_poly]:
+def _rows(ring: Ring, p: fmpz_mpoly, outer: str, inner: str) -> list[Row]:
     """The coefficients of the powers of ``inner``, polynomials in ``outer``."""
-    context = p.context()
-    i, j = context.variable_to_index(outer), context.variable_to_index(inner)
+    i, j = ring.variables.index(outer), ring.variables.index(inner)
     size, length = p.degrees()[j] + 1, p.degrees()[i] + 1
-    dense = [[0] * length for _ in range(size)]
+    dense = [([fmpz(0)] * length, [fmpz(0)] * length) for _ in range(size)]
     for exponents, coefficient in p.to_dict().items():
-        dense[exponents[j]][exponents[i]] = coefficient
-    return [fmpz_poly(row) for row in dense]
+        half = int(exponents[-1]) if ring.radicand else 0
+        dense[exponents[j]][half][exponents[i]] = coefficient
+    return [(fmpz_poly(plain), fmpz_poly(surd)) for plain, surd in dense]
 
 
 def _over_z(ring: Ring, p: Polynomial) -> fmpz_mpoly:
