@@ -38,7 +38,7 @@ def test_interpolated_discriminant_is_flints(radicand: int | None) -> None:
 
 
 def test_degree_bound_uses_the_newton_polygon() -> None:
-    """A weighted homogeneous quartic v^4 + u v^2 + u^2 has a discriminant of degree 6."""
+    """The quartic v^4 + u v^2 + u^2 has a discriminant of degree 6 in u."""
     zero = fmpz_poly([0])
     rows = [fmpz_poly([0, 0, 1]), zero, fmpz_poly([0, 1]), zero, fmpz_poly([1])]
     assert discriminant_degree([(row, zero) for row in rows]) == 6
