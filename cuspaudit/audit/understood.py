@@ -7,8 +7,13 @@ from dataclasses import asdict
 from fractions import Fraction
 from typing import Any
 
+from cuspaudit.algebra.trigonometric import factor_on_circles
+from cuspaudit.errors import UnableError
 from cuspaudit.kinematics.chain import Angle, Motion, Translation, Vector
+from cuspaudit.kinematics.exact_model import ExactModel, exact_model
+from cuspaudit.kinematics.export import circle_names
 from cuspaudit.kinematics.numbers import format_angle, format_rational
+from cuspaudit.kinematics.polynomial_map import jacobian_determinant, polynomial_map
 from cuspaudit.kinematics.robot import Robot
 from cuspaudit.kinematics.snapping import snap
 
@@ -16,9 +21,14 @@ __all__ = ["understood"]
 
 
 def understood(robot: Robot) -> dict[str, Any]:
-    """The literal chain in exact text, and what snapping changes in it."""
+    """The literal chain in exact text, what snapping changes, and the map.
+
+    The polynomial map is that of the snapped chain: f, R (the tip's position, then for
+    a pose the nine entries of its rotation) and, when the task has as many dimensions
+    as there are joints, det J with its factors.
+    """
     chain = robot.chain
-    _, snapped = snap(chain)
+    snapped_chain, snapped = snap(chain)
     return {
         "name": robot.name,
         "title": robot.title,
@@ -41,7 +51,30 @@ def understood(robot: Robot) -> dict[str, Any]:
         "tool": _motions(chain.tool),
         "snapped": [asdict(entry) for entry in snapped],
         "notes": list(robot.notes),
+        "map": _map(exact_model(snapped_chain)),
     }
+
+
+def _map(model: ExactModel) -> dict[str, Any]:
+    found = polynomial_map(model)
+    components = found.position.components
+    if model.chain.task == "pose":
+        components += found.rotation.components
+    entries: dict[str, Any] = {
+        "ring": repr(model.ring),
+        "f": [str(p) for p in found.variety.equations],
+        "R": [str(p) for p in components],
+        "determinant": None,
+        "factors": [],
+    }
+    try:
+        determinant = jacobian_determinant(model)
+    except UnableError:
+        return entries
+    factors = factor_on_circles(model.ring, circle_names(model), determinant)
+    entries["determinant"] = str(determinant)
+    entries["factors"] = [f"({p})^{n}" if n > 1 else str(p) for p, n in factors]
+    return entries
 
 
 def _vector(vector: Vector) -> str:

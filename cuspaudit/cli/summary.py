@@ -90,6 +90,24 @@ def print_understood(found: Mapping[str, Any]) -> None:
         )
     if not found["snapped"]:
         console.print("snapped: nothing; the model is the file's")
+    _print_map(console, found["map"])
+
+
+def _print_map(console: Console, entries: Mapping[str, Any]) -> None:
+    """The polynomial map in full when it is short, else its size."""
+    console.print(f"polynomial map over {entries['ring']}:", markup=False)
+    for polynomial in entries["f"]:
+        console.print(f"  {polynomial} = 0", markup=False)
+    if len(entries["R"]) == 3:
+        for name, polynomial in zip("xyz", entries["R"], strict=True):
+            console.print(f"  {name} = {polynomial}", markup=False)
+    else:
+        console.print(f"  R: {len(entries['R'])} functions; --to poly prints them")
+    if entries["determinant"] is None:
+        console.print("det J: none; the task does not fit the joints (lock some)")
+    else:
+        factors = " · ".join(f"({f})" for f in entries["factors"])
+        console.print(f"det J, up to a constant: {factors}", markup=False)
 
 
 def _plain(cell: Any) -> str:
