@@ -23,6 +23,7 @@ ALLOWED = {
         *("certificate", "kinematics"),
     },
     "cli": {"errors", "audit", "certificate", "kinematics", "viz"},
+    "pytest_plugin": {"audit"},
 }
 OWNERS = {
     "sympy": {"algebra"},
@@ -32,6 +33,9 @@ OWNERS = {
     "meshcat": {"viz"},
     "matplotlib": {"viz"},
     "pinocchio": {"audit"},
+    "pyarrow": {"audit"},
+    "distributed": {"audit"},
+    "pytest": {"pytest_plugin"},
 }
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 from concurrent.futures import ProcessPoolExecutor
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Literal
 from xml.etree import ElementTree
@@ -29,12 +29,14 @@ class Checked:
             contradiction, but not a confirmation.
         detail: what was found, and what was expected where it differs.
         seconds: time of the audit.
+        found: the verdict and the counts that are known.
     """
 
     file: str
     status: Status
     detail: str
     seconds: float
+    found: Mapping[str, str | int] = field(default_factory=dict)
 
     @property
     def is_failure(self) -> bool:
@@ -85,20 +87,25 @@ def check_robot(file: Path) -> Checked:
     except CuspauditError as error:
         return Checked(str(file), "error", str(error), 0.0)
     record = result.record()
-    status, detail = _compare(robot.expect, record)
-    return Checked(str(file), status, detail, record["seconds"]["total"])
+    found = _found(record)
+    status, detail = _compare(robot.expect, found)
+    known = {key: value for key, value in found.items() if value is not None}
+    return Checked(str(file), status, detail, record["seconds"]["total"], known)
 
 
-def _compare(
-    expect: Mapping[str, str | int | None] | None, record: Mapping[str, Any]
-) -> tuple[Status, str]:
-    found = {
+def _found(record: Mapping[str, Any]) -> dict[str, Any]:
+    return {
         "verdict": record["verdict"],
         "aspects": record["aspects"]["count"],
         "max_postures": record["postures"]["max"],
         "cusps": record["singular"]["cusps"],
         "nodes": record["singular"]["nodes"],
     }
+
+
+def _compare(
+    expect: Mapping[str, str | int | None] | None, found: Mapping[str, Any]
+) -> tuple[Status, str]:
     wanted = {k: v for k, v in (expect or {}).items() if v is not None}
     text = ", ".join(f"{k} {v}" for k, v in found.items() if v is not None)
     if not wanted:

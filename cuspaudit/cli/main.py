@@ -307,8 +307,23 @@ def check(
     strict: Annotated[
         bool, typer.Option("--strict", help="Count undecided as a mismatch.")
     ] = False,
+    annotations: Annotated[
+        bool,
+        typer.Option(
+            "--annotations",
+            envvar="GITHUB_ACTIONS",
+            help="Print GitHub annotations beside the lines they are about.",
+        ),
+    ] = False,
+    update: Annotated[
+        bool,
+        typer.Option(
+            "--update", help="Write what was found into files that expect nothing."
+        ),
+    ] = False,
 ) -> None:
     """Hold every robot file to the verdict and counts recorded in it."""
+    from cuspaudit.audit.expectation import annotation, write_expectation
     from cuspaudit.audit.family import check_robots, junit, robot_files
     from cuspaudit.audit.writing import check_writable, write_text
 
@@ -318,6 +333,17 @@ def check(
     for result in check_robots(robot_files(paths), workers):
         results.append(result)
         typer.echo(f"{result.status:14} {result.file}: {result.detail}")
+        if annotations and (
+            line := annotation(result.file, result.status, result.detail)
+        ):
+            typer.echo(line)
+    if update:
+        for result in results:
+            if result.status == "no expectation" and (
+                result.found.get("verdict") != "undecided"
+                and write_expectation(Path(result.file), result.found)
+            ):
+                typer.echo(f"expectation written: {result.file}")
     bad = [r for r in results if r.is_failure or (strict and r.status == "undecided")]
     counts = {
         s: sum(r.status == s for r in results) for s in {r.status for r in results}
