@@ -101,9 +101,14 @@ def save_plot(data: FiguresData, path: Path) -> None:
         ) from error
 
 
-def svg_text(data: FiguresData) -> str:
-    """Both planes as an SVG whose marks say what they are; the same every time."""
-    drawing, notes = _figure(data)
+def svg_text(data: FiguresData, *, titled: bool = True) -> str:
+    """Both planes as an SVG whose marks say what they are; the same every time.
+
+    Args:
+        data: what to draw.
+        titled: write the title and the notes into the drawing.
+    """
+    drawing, notes = _figure(data, titled)
     text = _rendered(drawing, "svg").decode()
     for name, note in notes.items():
         opened = f'<g id="{name}">'
@@ -113,7 +118,7 @@ def svg_text(data: FiguresData) -> str:
 
 def page_text(data: FiguresData) -> str:
     """Both planes as one HTML page that asks for no other file and runs no script."""
-    svg = svg_text(data)
+    svg = svg_text(data, titled=False)
     svg = svg[svg.index("<svg") :]
     label = f'<svg role="img" aria-label="{escape(data.title, quote=True)}"'
     svg = re.sub(r"^<svg", lambda _: label, svg, count=1)
@@ -121,7 +126,7 @@ def page_text(data: FiguresData) -> str:
     return _PAGE.format(title=escape(data.title), svg=svg, notes=notes)
 
 
-def _figure(data: FiguresData) -> tuple[Any, dict[str, str]]:
+def _figure(data: FiguresData, titled: bool = True) -> tuple[Any, dict[str, str]]:
     """The figure, and for the id of each mark what it says."""
     from matplotlib.figure import Figure
 
@@ -137,8 +142,9 @@ def _figure(data: FiguresData) -> tuple[Any, dict[str, str]]:
     left, right = drawing.subplots(1, 2)
     plot_value_plane(left, data.value, note)
     plot_joint_plane(right, data.joint, note)
-    drawing.suptitle(_plain(data.title), fontsize=15)
-    if data.notes:
+    if titled:
+        drawing.suptitle(_plain(data.title), fontsize=15)
+    if titled and data.notes:
         drawing.text(0.5, 0.012, _plain(" ".join(data.notes)), fontsize=9, ha="center")
     return drawing, notes
 

@@ -162,8 +162,8 @@ def plot_value_plane(axes: Any, data: ValuePlaneData, note: Note | None = None) 
     shown = [axes.plot([], [], color=RED, lw=1.5, label="critical values")[0]]
     marks = (
         (data.points, "o", RED, RED, 4, "a whole critical fiber"),
-        (data.nodes, "s", "none", BLACK, 9, "node"),
-        (data.cusps, "o", "none", RED, 9, "cusp"),
+        (data.nodes, "s", "none", BLACK, 8, "node"),
+        (data.cusps, "o", "none", RED, 7.5, "cusp"),
     )
     for points, shape, face, edge, size, name in marks:
         for i, point in enumerate(points):
@@ -176,7 +176,7 @@ def plot_value_plane(axes: Any, data: ValuePlaneData, note: Note | None = None) 
     for i, (point, count) in enumerate(
         zip(data.samples, data.sample_postures, strict=True)
     ):
-        mark = _mark(axes, point, "D", BLUE, "white", 6, 0.6)
+        mark = _mark(axes, point, "D", BLUE, "white", 5, 0.5)
         note(mark, f"sample point {_pair(point)}: {count} postures, proved")
         if i == 0:
             mark.set_label("rational sample points")
