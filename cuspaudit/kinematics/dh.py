@@ -8,6 +8,11 @@ One row a joint, base to tip. With q the joint's variable, s = 1 or -1 its ``sig
 
 where a revolute joint has theta_i = s q + ``theta`` and a prismatic one
 d_i = s q + ``d``. The convention is never guessed.
+
+A table alone cannot place its base and its tip freely, and D-H numbers of nearly
+parallel axes blow up. So a row may begin with fixed motions (``before``), a file may
+end with some (``tool``), and a row may give its ``axis`` instead of D-H numbers, in the
+frame that ``before`` ends in.
 """
 
 from __future__ import annotations
@@ -28,19 +33,20 @@ from cuspaudit.kinematics.chain import (
 )
 from cuspaudit.kinematics.dh_rows import COLUMNS, Row, check_known, parse_rows, word
 from cuspaudit.kinematics.frames import angle_value
+from cuspaudit.kinematics.motion_text import parse_motions
 from cuspaudit.kinematics.numbers import AngleUnit
 from cuspaudit.kinematics.place import Place, quoted
 from cuspaudit.kinematics.robot import Robot, parse_expectation
 from cuspaudit.kinematics.tables import Table, read_table
 from cuspaudit.kinematics.task import check_limits, default_task, parse_task
 
-__all__ = ["Convention", "chain_from_rows", "read_dh"]
+__all__ = ["Convention", "chain_from_rows", "read_dh", "robot_from_table"]
 
 Convention = Literal["standard", "modified"]
 
 _HEAD = (
     *("name", "title", "source", "convention", "units", "angle_unit"),
-    *("task", "base", "tip", "expect"),
+    *("task", "base", "tip", "tool", "expect"),
 )
 _MANY_TURNS = 12.566
 
@@ -66,11 +72,33 @@ def read_dh(
     path = Path(path)
     place = Place(str(path))
     table = read_table(path, COLUMNS, place)
+    return robot_from_table(table, path, task, convention, angle_unit)
+
+
+def robot_from_table(
+    table: Table,
+    path: Path,
+    task: str | None = None,
+    convention: str | None = None,
+    angle_unit: str | None = None,
+) -> Robot:
+    """The robot of a table read already; see `read_dh`, also for what it raises.
+
+    Args:
+        table: the rows and what stands beside them.
+        path: the file they are from, for names and messages.
+        task: as in `read_dh`.
+        convention: as in `read_dh`.
+        angle_unit: as in `read_dh`.
+    """
+    place = Place(str(path))
     head = table.head
     check_known(head, _HEAD, place)
     length_unit, angles = _units(head, angle_unit, place)
     rows = parse_rows(table.rows, angles, place)
     joints, tool = chain_from_rows(rows, _convention(table, convention, place))
+    if head.get("tool") is not None:
+        tool += parse_motions(head["tool"], "tool", place.at("tool"), angles)
     chosen = task or word(head, "task", place)
     chain = Chain(
         name=word(head, "name", place) or path.stem,
@@ -100,6 +128,11 @@ def chain_from_rows(
     joints = []
     pending: tuple[Motion, ...] = ()
     for row in rows:
+        pending += row.before
+        if row.axis is not None:
+            joints.append(Joint(row.name, row.kind, pending, row.axis, row.limits))
+            pending = ()
+            continue
         shift, twist = _length(row, "a", row.a, 0), _twist(row)
         rise = _length(row, "d", row.d, 2)
         before, after = pending, rise + shift + twist

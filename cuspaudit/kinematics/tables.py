@@ -19,7 +19,7 @@ import yaml
 
 from cuspaudit.kinematics.place import Place, quoted
 
-__all__ = ["Table", "read_table"]
+__all__ = ["Table", "read_mapping", "read_table", "table_from_mapping"]
 
 _MOST_BYTES = 1_000_000
 _MOST_DEPTH = 8
@@ -51,19 +51,38 @@ def read_table(path: Path, columns: Collection[str], place: Place) -> Table:
     Raises:
         InvalidRobotError: it cannot be read, decoded or parsed.
     """
+    if path.suffix.lower() == ".csv":
+        return _from_csv(_text(path, place), columns, place)
+    return table_from_mapping(read_mapping(path, place), place)
+
+
+def read_mapping(path: Path, place: Place) -> dict[str, object]:
+    """The mapping in a YAML or .json file; every scalar is text.
+
+    Raises:
+        InvalidRobotError: it cannot be read, decoded or parsed, or is no mapping.
+    """
     text = _text(path, place)
-    suffix = path.suffix.lower()
-    if suffix == ".csv":
-        return _from_csv(text, columns, place)
-    entries = _json(text, place) if suffix == ".json" else _yaml(text, place)
+    is_json = path.suffix.lower() == ".json"
+    entries = _json(text, place) if is_json else _yaml(text, place)
     if not isinstance(entries, dict):
         found = "the file is not a mapping of keys to values"
         raise place.error(found, "write name:, convention:, joints: ...")
-    rows = entries.pop("joints", None)
+    return entries
+
+
+def table_from_mapping(entries: Mapping[str, object], place: Place) -> Table:
+    """The table in a mapping as `read_mapping` returns it.
+
+    Raises:
+        InvalidRobotError: it has no list of joints.
+    """
+    head = dict(entries)
+    rows = head.pop("joints", None)
     if not isinstance(rows, list) or not all(isinstance(row, dict) for row in rows):
         expected = "write a list of rows such as {type: revolute, a: 1, alpha: 0, d: 0}"
         raise place.at("joints").error("no list of joints", expected)
-    return Table(entries, rows)
+    return Table(head, rows)
 
 
 def _text(path: Path, place: Place) -> str:
