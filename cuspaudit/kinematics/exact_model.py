@@ -157,7 +157,7 @@ def exact_model(chain: Chain, tolerance: Fraction = TOLERANCE) -> ExactModel:
     """
     plan = [_absorb(joint) for joint in chain.joints]
     rest = [motion for joint, _ in plan for motion in joint.before]
-    ring = Ring(_variables(chain), _radicand([*rest, *chain.tool]))
+    ring = Ring(_variables(chain), _radicand(chain, [*rest, *chain.tool]))
     seen: list[Approximation] = []
 
     def note(where: str, exact: bool) -> None:
@@ -222,14 +222,21 @@ def _ratio(a: Vector, b: Vector) -> Fraction | None:
     return factor if parallel else None
 
 
-def _radicand(motions: list[Motion]) -> int | None:
-    """The radicand that most of the angles ask for, or None."""
+def _radicand(chain: Chain, motions: list[Motion]) -> int | None:
+    """The radicand that most of the angles ask for, or None.
+
+    When the angles of a three-joint chain ask for two, neither field makes its model
+    exact, and the elimination is fifty times faster over Q. The reductions of a
+    six-joint chain gain from every angle that stays exact.
+    """
     wanted: Counter[int] = Counter()
     for motion in motions:
         if isinstance(motion, Rotation) and motion.angle.radians == 0:
             denominator = motion.angle.half_turns.denominator
             wanted[{4: 2, 3: 3, 6: 3}.get(denominator, 0)] += 1
     del wanted[0]
+    if len(wanted) > 1 and len(chain.joints) <= 3:
+        return None
     return wanted.most_common(1)[0][0] if wanted else None
 
 
