@@ -9,9 +9,10 @@ from typing import Any
 
 from cuspaudit.algebra.trigonometric import factor_on_circles
 from cuspaudit.errors import UnableError
-from cuspaudit.kinematics.chain import Angle, Motion, Translation, Vector
+from cuspaudit.kinematics.chain import Angle, Motion
 from cuspaudit.kinematics.exact_model import ExactModel, exact_model
 from cuspaudit.kinematics.export import circle_names
+from cuspaudit.kinematics.motion_text import format_motion, format_vector
 from cuspaudit.kinematics.numbers import format_angle, format_rational
 from cuspaudit.kinematics.polynomial_map import jacobian_determinant, polynomial_map
 from cuspaudit.kinematics.robot import Robot
@@ -42,7 +43,7 @@ def understood(robot: Robot) -> dict[str, Any]:
             {
                 "name": joint.name,
                 "type": joint.kind,
-                "axis": _vector(joint.axis),
+                "axis": format_vector(joint.axis),
                 "before": _motions(joint.before),
                 "limits": _limits(joint.limits),
             }
@@ -77,17 +78,8 @@ def _map(model: ExactModel) -> dict[str, Any]:
     return entries
 
 
-def _vector(vector: Vector) -> str:
-    return " ".join(format_rational(entry) for entry in vector)
-
-
 def _motions(motions: Sequence[Motion]) -> str:
-    return ", ".join(
-        f"move {_vector(motion.vector)}"
-        if isinstance(motion, Translation)
-        else f"turn {format_angle(motion.angle)} about {_vector(motion.axis)}"
-        for motion in motions
-    )
+    return ", ".join(format_motion(motion) for motion in motions)
 
 
 def _limits(limits: Sequence[Angle | Fraction] | None) -> str:

@@ -55,6 +55,7 @@ class Engine(StrEnum):
 class Form(StrEnum):
     """What `import` can write."""
 
+    dh = "dh"
     poly = "poly"
     msolve = "msolve"
 
@@ -256,7 +257,8 @@ def import_(
     to: Annotated[
         Form | None,
         typer.Option(
-            help="poly: f, R and det J. msolve: inverse kinematics of a real pose."
+            help="dh: a robot file with the same forward kinematics. poly: f, R and "
+            "det J. msolve: inverse kinematics of a real pose."
         ),
     ] = None,
     literal: Annotated[
@@ -277,16 +279,22 @@ def import_(
         return
     if robot is None:
         _fail("import: no robot named; give ROBOT, or --list for the names known")
+    square = to in (Form.poly, Form.msolve)
     opened, _ = _open(
-        robot, base, tip, task, lock, convention, angle_unit, square=to is not None
+        robot, base, tip, task, lock, convention, angle_unit, square=square
     )
     from cuspaudit.audit.understood import understood
     from cuspaudit.kinematics import snap
+    from cuspaudit.kinematics.dh_writing import table_text
     from cuspaudit.kinematics.exact_model import exact_model
     from cuspaudit.kinematics.export import msolve_system, poly_text
 
     chain = opened.chain if literal else snap(opened.chain)[0]
-    if to is Form.poly:
+    if to is Form.dh:
+        numbers = "as the file has them" if literal else "snapped"
+        source = opened.source or f"{Path(opened.file).name}, numbers {numbers}"
+        typer.echo(table_text(chain, opened.title, source), nl=False)
+    elif to is Form.poly:
         typer.echo(poly_text(exact_model(chain)), nl=False)
     elif to is Form.msolve:
         typer.echo(msolve_system(exact_model(chain), seed), nl=False)

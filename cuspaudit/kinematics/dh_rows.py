@@ -7,7 +7,8 @@ from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
-from cuspaudit.kinematics.chain import Angle, JointKind
+from cuspaudit.kinematics.chain import Angle, JointKind, Motion, Vector
+from cuspaudit.kinematics.motion_text import parse_direction, parse_motions
 from cuspaudit.kinematics.numbers import AngleUnit, parse_angle, parse_length
 from cuspaudit.kinematics.place import Place, quoted
 
@@ -29,6 +30,7 @@ COLUMNS = (
     *("joint", "name", "type", "theta", "d", "a", "alpha", "sign"),
     *("limits", "qmin", "qmax", "convention"),
 )
+_ROW = (*COLUMNS, "before", "axis")
 _KINDS: dict[str, JointKind] = {
     "revolute": "revolute",
     "r": "revolute",
@@ -52,6 +54,8 @@ class Row:
         alpha: the twist about x.
         sign: 1, or -1 when the joint's variable enters negated.
         limits: of the joint's variable.
+        before: fixed motions that come before all of these.
+        axis: the joint's own axis, in a row without theta, d, a, alpha and sign.
     """
 
     name: str
@@ -62,6 +66,8 @@ class Row:
     alpha: Angle
     sign: int
     limits: Limits
+    before: tuple[Motion, ...] = ()
+    axis: Vector | None = None
 
 
 def parse_rows(
@@ -85,7 +91,7 @@ def parse_rows(
     result: list[Row] = []
     for number, cells in enumerate(rows, 1):
         here = place.at(f"row {number}")
-        check_known(cells, COLUMNS, here)
+        check_known(cells, _ROW, here)
         row = _row(cells, _joint_name(cells, number, here), unit, here)
         if row.name in [other.name for other in result]:
             found = f"the joint name {quoted(row.name)} stands twice"
@@ -126,6 +132,12 @@ def _row(
     cells: Mapping[str, object], name: str, unit: AngleUnit | None, place: Place
 ) -> Row:
     kind = _kind(cells, place)
+    before: tuple[Motion, ...] = ()
+    if cells.get("before") is not None:
+        here = place.at("before")
+        before = parse_motions(cells["before"], f"{name} before", here, unit)
+    if cells.get("axis") is not None:
+        return _free_row(cells, name, kind, before, unit, place)
     variable = "theta" if kind == "revolute" else "d"
     texts = {
         column: word(cells, column, place) for column in ("theta", "d", "a", "alpha")
@@ -147,7 +159,28 @@ def _row(
         alpha=parse_angle(texts["alpha"] or "0", place.at("alpha"), unit),
         sign=_sign(cells, place),
         limits=_limits(cells, kind, unit, place),
+        before=before,
     )
+
+
+def _free_row(
+    cells: Mapping[str, object],
+    name: str,
+    kind: JointKind,
+    before: tuple[Motion, ...],
+    unit: AngleUnit | None,
+    place: Place,
+) -> Row:
+    """A joint given by the motions before it and its axis, without D-H numbers."""
+    for column in ("theta", "d", "a", "alpha", "sign"):
+        if column in cells:
+            found = f"{column} beside axis"
+            expected = "give before: and axis:, or D-H numbers and no axis"
+            raise place.at("axis").error(found, expected)
+    axis = parse_direction(word(cells, "axis", place) or "", place.at("axis"))
+    zero, none = Fraction(0), Angle()
+    limits = _limits(cells, kind, unit, place)
+    return Row(name, kind, none, zero, zero, none, 1, limits, before, axis)
 
 
 def _joint_name(cells: Mapping[str, object], number: int, place: Place) -> str:

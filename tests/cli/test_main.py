@@ -172,6 +172,22 @@ def test_import_prints_the_polynomial_map(capsys: pytest.CaptureFixture[str]) ->
     assert "3*c3 + 4" in out
 
 
+def test_import_writes_a_robot_file(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """`import --to dh` writes a file that is audited like the URDF it came from."""
+    _, text, _ = run("import", "ur5_robot", "--to", "dh", capsys=capsys)
+    robot = tmp_path / "arm.yaml"
+    robot.write_text(text)
+    status, out, _ = run("audit", robot, "--json", "-", capsys=capsys)
+    record = json.loads(out)
+    assert (status, record["verdict"], record["robot"]["snapped"]) == (
+        *(0, "noncuspidal"),
+        [],
+    )
+    assert record["robot"]["source"] == "ur5_robot.urdf, numbers snapped"
+
+
 def test_check_compares_with_the_recorded_verdict(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

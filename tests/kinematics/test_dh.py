@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from cuspaudit.errors import InvalidRobotError
-from cuspaudit.kinematics.chain import Angle
+from cuspaudit.kinematics.chain import Angle, Translation
 from cuspaudit.kinematics.dh import read_dh
 from cuspaudit.kinematics.frames import frames
 from cuspaudit.kinematics.robot import Robot
@@ -113,6 +113,23 @@ def test_a_negated_joint_turns_backwards(read: Reader) -> None:
     )
 
 
+def test_motions_and_axes_stand_beside_the_numbers(read: Reader) -> None:
+    """A row may begin with motions or give its axis; a file may end with motions."""
+    text = (
+        "convention: standard\ntool: [move 0 0 1/4]\njoints:\n"
+        "  - {type: R, a: 1, alpha: 0, d: 0, before: [turn pi/2 about 0 1 0]}\n"
+        "  - {type: P, before: [move 0 1 0, turn 30 deg about 1 0 0], axis: 1 2 0}\n"
+    )
+    chain = read(text).chain
+    first, second = chain.joints
+    assert [type(m).__name__ for m in first.before] == ["Rotation"]
+    assert [type(m).__name__ for m in second.before] == [
+        *("Translation", "Translation", "Rotation")
+    ]
+    assert second.axis == (1, 2, 0)
+    assert chain.tool == (Translation((Fraction(0), Fraction(0), Fraction(1, 4))),)
+
+
 def test_expectations_are_read(read: Reader) -> None:
     """The recorded verdict and counts are typed; null stays None."""
     text = arm() + "expect: {verdict: cuspidal, cusps: 4, nodes: null}\n"
@@ -138,6 +155,13 @@ def test_expectations_are_read(read: Reader) -> None:
         (("name: arm", "name: {a: 1}"), "a list or mapping"),
         (("joints:", "expect: {verdict: maybe}\njoints:"), "expect verdict: .maybe."),
         (("joints:", "expect: {cusps: many}\njoints:"), "not a count"),
+        (("joints:", "tool: move 0 0 1\njoints:"), "tool: no list of motions"),
+        (("joints:", "tool: [fly 0 0 1]\njoints:"), "tool 1: .fly 0 0 1. is no motion"),
+        (("joints:", "tool: [move 0 1]\njoints:"), "2 numbers in"),
+        (("joints:", "tool: [turn 1 about 0 0 1]\njoints:"), "has no unit"),
+        (("joints:", "tool: [turn pi about 0 0 0]\njoints:"), "the zero vector"),
+        (("a: 2", "axis: 0 0 1, a: 2"), "row 2 axis: a beside axis|theta beside axis"),
+        (("a: 2", "before: [[move]], a: 2"), "row 2 before 1: a list or mapping"),
         (("joints:", "task: dance\njoints:"), "the task .dance. is unknown"),
         (("joints:", "title: " + 30 * "[" + "\njoints:"), "too many levels"),
     ],

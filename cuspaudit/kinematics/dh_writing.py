@@ -1,0 +1,179 @@
+"""A chain as a robot file: standard D-H rows where they are exact, motions elsewhere.
+
+The file reads back as a chain with the same forward kinematics, number for number: no
+length and no angle is computed in floating point. A frame with its z along each axis is
+chosen; where the fixed transform between two axes is a D-H step (`dh_step`), the row
+holds it, and where it is not, the next row begins with the motions as they are.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from fractions import Fraction
+
+import yaml
+
+from cuspaudit.kinematics.axes import scaled_axis
+from cuspaudit.kinematics.chain import (
+    X_AXIS,
+    Y_AXIS,
+    Z_AXIS,
+    Angle,
+    Chain,
+    Joint,
+    Motion,
+    Rotation,
+    Translation,
+    Vector,
+)
+from cuspaudit.kinematics.dh_step import Step, dh_step, z_screw
+from cuspaudit.kinematics.motion_text import format_motion, format_vector
+from cuspaudit.kinematics.numbers import format_angle, format_rational
+
+__all__ = ["table_text"]
+
+_WORD = re.compile(r"[A-Za-z_][A-Za-z0-9_.-]*")
+_QUARTER = Angle(Fraction(1, 2))
+#: the rotation that takes z to each axis of the frame
+_ONTO: dict[Vector, tuple[Motion, ...]] = {
+    Z_AXIS: (),
+    X_AXIS: (Rotation(Y_AXIS, _QUARTER),),
+    Y_AXIS: (Rotation(X_AXIS, -_QUARTER),),
+}
+
+
+@dataclass
+class _Row:
+    """A row being filled: what stands before the joint, and the step after it."""
+
+    joint: Joint
+    before: tuple[Motion, ...] = ()
+    step: Step = field(default_factory=Step)
+
+    @property
+    def onto(self) -> tuple[Motion, ...] | None:
+        """The rotation of z to the joint's axis but for its sign; None off x, y, z."""
+        x, y, z = scaled_axis(self.joint.axis)
+        return _ONTO.get((abs(x), abs(y), abs(z)))
+
+    @property
+    def is_negated(self) -> bool:
+        """Whether the joint turns about the opposite of that direction."""
+        return sum(self.joint.axis) < 0
+
+
+def table_text(chain: Chain, title: str = "", source: str = "") -> str:
+    """The robot file of ``chain``, in standard convention.
+
+    Args:
+        chain: any chain.
+        title: one line about the robot.
+        source: where the numbers come from.
+    """
+    rows, tool = _rows(chain)
+    head = {
+        "name": chain.name,
+        "title": title,
+        "source": source,
+        "convention": "standard",
+        "units": chain.unit,
+        "task": chain.task,
+        "base": chain.base,
+        "tip": chain.tip,
+    }
+    lines = [f"{key}: {_word(value)}" for key, value in head.items() if value]
+    lines += ["joints:", *(f"  - {{{', '.join(_cells(row))}}}" for row in rows)]
+    if tool:
+        lines.append(f"tool: {_list(tool)}")
+    return "\n".join(lines) + "\n"
+
+
+def _rows(chain: Chain) -> tuple[list[_Row], tuple[Motion, ...]]:
+    """The rows, and the motions after the last one."""
+    rows = [_Row(joint) for joint in chain.joints]
+    pending = Step()
+    for k, row in enumerate(rows):
+        fixed = row.joint.before + (row.onto or ())
+        step = z_screw(fixed) if k == 0 else _step(rows[k - 1], fixed, pending)
+        if row.onto is None:
+            step = None
+        if k > 0:
+            pending = _fill(rows[k - 1], pending, step)
+        elif step is not None:
+            pending = step
+        if step is None:
+            row.before = (_back(rows[k - 1]) if k > 0 else ()) + fixed
+    step = _step(rows[-1], chain.tool, pending)
+    rest = _fill(rows[-1], pending, step)
+    if step is None:
+        return rows, _back(rows[-1]) + chain.tool
+    turn = () if rest.psi.is_zero else (Rotation(Z_AXIS, rest.psi),)
+    rise = Translation((Fraction(0), Fraction(0), rest.rise))
+    return rows, (*turn, rise) if rest.rise else turn
+
+
+def _step(row: _Row, fixed: tuple[Motion, ...], pending: Step) -> Step | None:
+    """The step from the axis of ``row`` over ``fixed`` to the next z, if exact.
+
+    Numbers in rad are not added up, so that they are snapped as in the chain.
+    """
+    step = None if row.onto is None else dh_step(_back(row) + fixed)
+    if step is None or (step.theta.radians and pending.psi.radians):
+        return None
+    return step if step.between(pending, Step()).is_plain else None
+
+
+def _fill(row: _Row, pending: Step, step: Step | None) -> Step:
+    """Write what is pending about the row's z, and the step; return what is left."""
+    whole = (step or Step()).between(pending, Step())
+    row.step = whole
+    return Step(psi=whole.psi, rise=whole.rise)
+
+
+def _back(row: _Row) -> tuple[Motion, ...]:
+    """From the frame with z along the row's axis back to that of the chain."""
+    return tuple(
+        Rotation(motion.axis, -motion.angle)
+        for motion in row.onto or ()
+        if isinstance(motion, Rotation)
+    )
+
+
+def _cells(row: _Row) -> list[str]:
+    joint, step = row.joint, row.step
+    cells = [f"name: {_word(joint.name)}", f"type: {joint.kind}"]
+    if row.before:
+        cells.append(f"before: {_list(row.before)}")
+    if row.onto is None:
+        cells.append(f"axis: {format_vector(joint.axis)}")
+    else:
+        cells.append(f"a: {format_rational(step.a)}")
+        cells.append(f"alpha: {format_angle(step.alpha)}")
+        cells.append(f"d: {format_rational(step.d)}")
+        if not step.theta.is_zero:
+            cells.append(f"theta: {format_angle(step.theta)}")
+        if row.is_negated:
+            cells.append("sign: -1")
+    if joint.limits is not None:
+        lower, upper = (
+            format_angle(limit) if isinstance(limit, Angle) else format_rational(limit)
+            for limit in joint.limits
+        )
+        cells.append(f"limits: [{lower}, {upper}]")
+    return cells
+
+
+def _list(motions: Sequence[Motion]) -> str:
+    return f"[{', '.join(format_motion(motion) for motion in motions)}]"
+
+
+def _word(text: str) -> str:
+    """``text`` as a YAML scalar on one line, quoted unless it is a plain word."""
+    if _WORD.fullmatch(text):
+        return text
+    quoted = yaml.safe_dump(
+        text, default_style='"', width=float("inf"), allow_unicode=True
+    )
+    return str(quoted).strip()
