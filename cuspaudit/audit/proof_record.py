@@ -11,8 +11,6 @@ from __future__ import annotations
 import json
 from typing import Any
 
-from flint import arb
-
 import cuspaudit
 from cuspaudit.audit.answer import Answer
 from cuspaudit.cuspidality.decision import Decision
@@ -91,5 +89,6 @@ def _sample(decision: Decision, fiber: Fiber) -> dict[str, Any]:
     }
 
 
-def _text(ball: arb) -> str:
+def _text(ball: Any) -> str:
+    """The ball as FLINT writes it, midpoint and radius."""
     return str(ball.str(_DIGITS))

@@ -19,6 +19,7 @@ import typer
 from rich.console import Console
 
 import cuspaudit
+from cuspaudit.cli.plot import At, plot_robot
 from cuspaudit.cli.summary import print_summary, print_understood
 from cuspaudit.errors import CuspauditError, InvalidInputError
 
@@ -243,6 +244,21 @@ def show(
         typer.echo(f"page: {html}")
     else:
         serve(page, port, open_browser=not no_open)
+
+
+@app.command(epilog="Example: cuspaudit plot chablat-2022-3r -o figure.png")
+def plot(
+    robot: RobotName,
+    output: Annotated[
+        Path, typer.Option("-o", "--output", help="A .png, .svg or .html file.")
+    ],
+    base: Base = None,
+    tip: Tip = None,
+    task: TaskName = None,
+    at: At = None,
+) -> None:
+    """Draw the critical values and the aspects of an arm that three joints decide."""
+    plot_robot(robot, output, base=base, tip=tip, task=task, at=at)
 
 
 @app.command("import", epilog="Example: cuspaudit import ur5_robot --to msolve > ik.ms")
