@@ -227,3 +227,15 @@ def test_interrupt_leaves_no_file(tmp_path: Path) -> None:
     _, err = process.communicate(timeout=60)
     assert "Traceback" not in err
     assert os.listdir(tmp_path) == [] or process.returncode == 1
+
+
+def test_plot_writes_a_figure(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """`plot` writes the figures of a three-joint arm, and refuses an arm without."""
+    figure = tmp_path / "figure.svg"
+    arguments = ("plot", "baili-2004-wt8", "-o", figure)
+    assert run(*arguments, capsys=capsys)[0] == 0
+    assert figure.read_text().count("<path") > 10
+    status, _, err = run("plot", "ur5", "-o", figure, capsys=capsys)
+    assert (status, err.count("\n")) == (2, 1)
