@@ -25,6 +25,7 @@ from cuspaudit.kinematics.exact_model import ExactModel, exact_model
 from cuspaudit.kinematics.export import circle_names
 from cuspaudit.kinematics.polynomial_map import jacobian_determinant
 from cuspaudit.kinematics.robot import Robot
+from cuspaudit.kinematics.snap_policy import DEFAULT_POLICY, SnapPolicy
 from cuspaudit.kinematics.snapping import Snapped, snap
 
 __all__ = ["SCHEMA", "Audit", "Options", "audit"]
@@ -45,12 +46,14 @@ class Options:
         timeout: seconds after which the next step is not begun, or None.
         locked: joints held fixed in the chain, as the user wrote them.
         progress: called with the name of each step before it runs.
+        snap: which numbers are taken for others.
     """
 
     seed: int = 0
     timeout: float | None = None
     locked: Mapping[str, str] | None = None
     progress: Callable[[str], None] = lambda step: None
+    snap: SnapPolicy = DEFAULT_POLICY
 
 
 @dataclass(frozen=True, eq=False)
@@ -69,6 +72,7 @@ class Audit:
         seconds: time of each stage.
         seed: of the random choices.
         locked: joints held fixed, as the user wrote them.
+        policy: which numbers were taken for others.
     """
 
     robot: Robot
@@ -82,6 +86,7 @@ class Audit:
     seconds: Mapping[str, float]
     seed: int
     locked: Mapping[str, str]
+    policy: SnapPolicy = DEFAULT_POLICY
 
     def record(self, certificate: str | None = None) -> dict[str, Any]:
         """The audit as JSON, schema ``cuspaudit/audit/1``.
@@ -130,6 +135,7 @@ class Audit:
             "task": chain.task,
             "unit": chain.unit,
             "exact": self.answer.model.is_exact,
+            "snap_policy": self.policy.record(),
             "snapped": [asdict(entry) for entry in self.snapped],
             "approximated": [
                 asdict(entry) for entry in self.answer.model.approximations
@@ -195,7 +201,7 @@ def audit(robot: Robot, options: Options | None = None) -> Audit:
     options = options or Options()
     clock = _Clock(options)
     with clock.stage("import"):
-        chain, snapped = snap(robot.chain)
+        chain, snapped = snap(robot.chain, options.snap)
         model = exact_model(chain)
     with clock.stage("decide"):
         found = _decide(robot, model, clock)
@@ -218,6 +224,7 @@ def audit(robot: Robot, options: Options | None = None) -> Audit:
         clock.seconds,
         options.seed,
         options.locked or {},
+        options.snap,
     )
 
 

@@ -16,12 +16,13 @@ from cuspaudit.kinematics.motion_text import format_motion, format_vector
 from cuspaudit.kinematics.numbers import format_angle, format_rational
 from cuspaudit.kinematics.polynomial_map import jacobian_determinant, polynomial_map
 from cuspaudit.kinematics.robot import Robot
+from cuspaudit.kinematics.snap_policy import DEFAULT_POLICY, SnapPolicy
 from cuspaudit.kinematics.snapping import snap
 
 __all__ = ["understood"]
 
 
-def understood(robot: Robot) -> dict[str, Any]:
+def understood(robot: Robot, policy: SnapPolicy = DEFAULT_POLICY) -> dict[str, Any]:
     """The literal chain in exact text, what snapping changes, and the map.
 
     The polynomial map is that of the snapped chain: f, R (the tip's position, then for
@@ -29,7 +30,7 @@ def understood(robot: Robot) -> dict[str, Any]:
     as there are joints, det J with its factors.
     """
     chain = robot.chain
-    snapped_chain, snapped = snap(chain)
+    snapped_chain, snapped = snap(chain, policy)
     return {
         "name": robot.name,
         "title": robot.title,
@@ -50,6 +51,7 @@ def understood(robot: Robot) -> dict[str, Any]:
             for joint in chain.joints
         ],
         "tool": _motions(chain.tool),
+        "snap_policy": policy.record(),
         "snapped": [asdict(entry) for entry in snapped],
         "notes": list(robot.notes),
         "map": _map(exact_model(snapped_chain)),

@@ -87,6 +87,14 @@ Convention = Annotated[
 AngleUnit = Annotated[
     str | None, typer.Option(help="Unit of bare angles in a D-H table: rad, deg.")
 ]
+Snap = Annotated[
+    str,
+    typer.Option(
+        metavar="none|default|FILE",
+        help="Which rounded numbers are made exact; FILE is YAML with any of angle, "
+        "length, axis, printed.",
+    ),
+]
 EngineName = Annotated[Engine, typer.Option(help="Route of the decision.")]
 Seed = Annotated[int, typer.Option(help="Seed of every random choice.")]
 Timeout = Annotated[
@@ -144,6 +152,7 @@ def audit(
     engine: Annotated[
         Engine, typer.Option(help="Route of the decision.")
     ] = Engine.auto,
+    snap: Snap = "default",
     seed: Seed = 0,
     timeout: Timeout = None,
     exit_zero: Annotated[
@@ -161,7 +170,7 @@ def audit(
     for file in files:
         check_writable(file)
     opened, locked = _open(robot, base, tip, task, lock, convention, angle_unit)
-    result = _audit(opened, locked, seed, timeout)
+    result = _audit(opened, locked, seed, timeout, snap)
     proof = _certificate_text(result)
     written = str(certificate) if certificate and proof else None
     record = result.record(written)
@@ -222,6 +231,7 @@ def show(
         bool, typer.Option("--no-open", help="Serve without opening a browser.")
     ] = False,
     port: Annotated[int, typer.Option(help="First port to try, on loopback.")] = 7000,
+    snap: Snap = "default",
     seed: Seed = 0,
 ) -> None:
     """Show the witness path in a browser, or the postures of one pose."""
@@ -232,12 +242,12 @@ def show(
         check_writable(html)
     if source.endswith(".json") and (saved := _saved_audit(Path(source))) is not None:
         source, base, tip = saved["file"], saved["base"], saved["tip"]
-        task, seed = saved["task"], saved["seed"]
+        task, seed, snap = saved["task"], saved["seed"], saved["snap"]
         lock = [f"{joint}={value}" for joint, value in saved["locked"].items()]
         if not source.endswith((".urdf", ".xml")):
             base = tip = None
     opened, locked = _open(source, base, tip, task, lock, convention, angle_unit)
-    result = _audit(opened, locked, seed, None)
+    result = _audit(opened, locked, seed, None, snap)
     page = _page(result.record(), result, _certificate_text(result))
     if html:
         write_text(html, page)
@@ -277,8 +287,9 @@ def import_(
             "det J. msolve: inverse kinematics of a real pose."
         ),
     ] = None,
+    snap: Snap = "default",
     literal: Annotated[
-        bool, typer.Option("--literal", help="Write the numbers as the file has them.")
+        bool, typer.Option("--literal", help="The same as --snap none.")
     ] = False,
     as_json: Annotated[bool, typer.Option("--json", help="Print as JSON.")] = False,
     names: Annotated[
@@ -300,14 +311,16 @@ def import_(
         robot, base, tip, task, lock, convention, angle_unit, square=square
     )
     from cuspaudit.audit.understood import understood
-    from cuspaudit.kinematics import snap
+    from cuspaudit.kinematics import snap as snap_chain
     from cuspaudit.kinematics.dh_writing import table_text
     from cuspaudit.kinematics.exact_model import exact_model
     from cuspaudit.kinematics.export import msolve_system, poly_text
+    from cuspaudit.kinematics.snap_policy import policy_from_name
 
-    chain = opened.chain if literal else snap(opened.chain)[0]
+    policy = policy_from_name("none" if literal else snap)
+    chain = snap_chain(opened.chain, policy)[0]
     if to is Form.dh:
-        numbers = "as the file has them" if literal else "snapped"
+        numbers = "as in the file" if policy.name == "none" else "snapped"
         source = opened.source or f"{Path(opened.file).name}, numbers {numbers}"
         typer.echo(table_text(chain, opened.title, source), nl=False)
     elif to is Form.poly:
@@ -315,7 +328,7 @@ def import_(
     elif to is Form.msolve:
         typer.echo(msolve_system(exact_model(chain), seed), nl=False)
     else:
-        found = understood(opened)
+        found = understood(opened, policy)
         typer.echo(json.dumps(found, indent=1)) if as_json else print_understood(found)
 
 
@@ -410,13 +423,19 @@ def _open(
 
 
 def _audit(
-    robot: Robot, locked: Mapping[str, str], seed: int, timeout: float | None
+    robot: Robot,
+    locked: Mapping[str, str],
+    seed: int,
+    timeout: float | None,
+    snap: str,
 ) -> Audit:
     from cuspaudit.audit.report import Options
     from cuspaudit.audit.report import audit as run
+    from cuspaudit.kinematics.snap_policy import policy_from_name
 
+    policy = policy_from_name(snap)
     with _progress() as step:
-        return run(robot, Options(seed, timeout, locked, step))
+        return run(robot, Options(seed, timeout, locked, step, policy))
 
 
 @contextmanager
@@ -478,6 +497,7 @@ def _saved_audit(path: Path) -> dict[str, Any] | None:
         "task": robot["task"],
         "locked": robot.get("locked", {}),
         "seed": record["seed"],
+        "snap": robot.get("snap_policy", {}).get("name", "default"),
     }
 
 

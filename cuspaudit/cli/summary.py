@@ -85,7 +85,8 @@ def print_understood(found: Mapping[str, Any]) -> None:
     for entry in found["snapped"]:
         console.print(
             f"snapped: {entry['where']}: {entry['given']!r} -> {entry['used']} "
-            f"(difference {entry['difference']:.2e})",
+            f"(difference {entry['difference']:.2e})"
+            + (f": {entry['effect']}" if entry["effect"] else ""),
             markup=False,
         )
     if not found["snapped"]:

@@ -3,12 +3,13 @@
 A file writes pi/2 as 1.5708, 1.57 or 1.570796326589793, and a parallel axis with
 3.7e-6 left over from a CAD system. As printed, such axes neither meet nor stand
 parallel; snapped they do. Every number that is replaced is listed with its
-replacement, and the literal chain stays what it is.
+replacement and with the axes that stand parallel, meet or stand square because of it,
+and the literal chain stays what it is.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 
 from cuspaudit.kinematics.axes import scaled_axis, unit_axis
@@ -23,32 +24,12 @@ from cuspaudit.kinematics.chain import (
 )
 from cuspaudit.kinematics.frames import angle_value
 from cuspaudit.kinematics.numbers import decimal_places, format_angle
+from cuspaudit.kinematics.relations import relations
+from cuspaudit.kinematics.snap_policy import DEFAULT_POLICY, SnapPolicy
 
-__all__ = ["DEFAULT_POLICY", "SnapPolicy", "Snapped", "snap"]
+__all__ = ["Snapped", "snap"]
 
 _PI = Fraction("3.14159265358979323846264338327950288419716939937510")
-
-
-@dataclass(frozen=True, slots=True)
-class SnapPolicy:
-    """Which numbers are taken for others.
-
-    An angle in rad that is a multiple of pi/2 rounded or cut at its own last decimal
-    (the second or a later one) always counts as that multiple.
-
-    Attributes:
-        angle: distance in rad from a multiple of pi/6 or pi/4, 0 included, below
-            which an angle counts as that multiple.
-        length: in m, below which a component of a translation counts as 0.
-        axis: below which a component of an axis, beside a largest one of 1, is 0.
-    """
-
-    angle: Fraction = Fraction(1, 10**5)
-    length: Fraction = Fraction(2, 10**6)
-    axis: Fraction = Fraction(1, 10**5)
-
-
-DEFAULT_POLICY = SnapPolicy()
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,12 +41,15 @@ class Snapped:
         given: what stands there, in rad or the chain's unit.
         used: the exact text of what is used instead.
         difference: used minus given.
+        effect: which axes stand parallel, meet or stand square only because of it
+            (to 1e-12); "" when none do.
     """
 
     where: str
     given: float
     used: str
     difference: float
+    effect: str = ""
 
 
 def snap(
@@ -75,25 +59,53 @@ def snap(
 
     Limits are left alone. With nothing to snap the chain itself comes back.
     """
-    record: list[Snapped] = []
+    record = _Record()
+    snapped = _snapped(chain, policy, record)
+    if not record.entries:
+        return chain, ()
+    gained = relations(snapped) - relations(chain)
+    entries = []
+    for number, entry in enumerate(record.entries):
+        without = _snapped(chain, policy, _Record(left=number)) if gained else snapped
+        lost = gained - relations(without)
+        entries.append(replace(entry, effect="; ".join(sorted(lost))))
+    return snapped, tuple(entries)
+
+
+@dataclass
+class _Record:
+    """What is snapped, in order; entry number ``left`` is left as it is."""
+
+    left: int | None = None
+    entries: list[Snapped] = field(default_factory=list)
+
+    def takes(self, where: str, given: float, used: str, difference: float) -> bool:
+        """Note a number; whether it is to be replaced."""
+        self.entries.append(Snapped(where, given, used, difference))
+        return len(self.entries) - 1 != self.left
+
+    def clears(self, where: str, given: Fraction) -> bool:
+        """Note a number that becomes 0; whether it is to be replaced."""
+        return self.takes(where, float(given), "0", -float(given))
+
+
+def _snapped(chain: Chain, policy: SnapPolicy, record: _Record) -> Chain:
     reach = policy.length * (1000 if chain.unit == "mm" else 1)
     joints = [_joint(joint, policy, reach, record) for joint in chain.joints]
     tool = _motions(chain.tool, policy, reach, record)
-    if not record:
-        return chain, ()
-    return replace(chain, joints=tuple(joints), tool=tool), tuple(record)
+    return replace(chain, joints=tuple(joints), tool=tool)
 
 
-def _joint(
-    joint: Joint, policy: SnapPolicy, reach: Fraction, record: list[Snapped]
-) -> Joint:
+def _joint(joint: Joint, policy: SnapPolicy, reach: Fraction, record: _Record) -> Joint:
     before = _motions(joint.before, policy, reach, record)
     axis = joint.axis
-    small = _small(scaled_axis(axis), policy.axis)
+    small = [
+        k
+        for k in _small(scaled_axis(axis), policy.axis)
+        if record.clears(f"{joint.name} axis[{k}]", axis[k])
+    ]
     if small:
         kept = [Fraction(0) if k in small else x for k, x in enumerate(axis)]
-        for k in small:
-            _note(record, f"{joint.name} axis[{k}]", float(axis[k]))
         direction: Vector = (kept[0], kept[1], kept[2])
         axis = unit_axis(direction) or direction
     return replace(joint, before=before, axis=axis)
@@ -103,7 +115,7 @@ def _motions(
     motions: tuple[Motion, ...],
     policy: SnapPolicy,
     reach: Fraction,
-    record: list[Snapped],
+    record: _Record,
 ) -> tuple[Motion, ...]:
     """The motions with their numbers replaced; those that became 0 are left out."""
     result: list[Motion] = []
@@ -119,16 +131,18 @@ def _motions(
     return tuple(result)
 
 
-def _vector(motion: Translation, reach: Fraction, record: list[Snapped]) -> Vector:
-    small = _small(motion.vector, reach)
-    for k in small:
-        place = f"[{k}]" if motion.source.endswith("xyz") else ""
-        _note(record, motion.source + place, float(motion.vector[k]))
+def _vector(motion: Translation, reach: Fraction, record: _Record) -> Vector:
+    xyz = motion.source.endswith("xyz")
+    small = [
+        k
+        for k in _small(motion.vector, reach)
+        if record.clears(motion.source + (f"[{k}]" if xyz else ""), motion.vector[k])
+    ]
     x, y, z = (Fraction(0) if k in small else v for k, v in enumerate(motion.vector))
     return x, y, z
 
 
-def _angle(motion: Rotation, policy: SnapPolicy, record: list[Snapped]) -> Angle:
+def _angle(motion: Rotation, policy: SnapPolicy, record: _Record) -> Angle:
     """The angle meant by a number in rad; one written with pi or deg is kept."""
     given = motion.angle
     if given.half_turns or not given.radians:
@@ -138,14 +152,14 @@ def _angle(motion: Rotation, policy: SnapPolicy, record: list[Snapped]) -> Angle
         return given
     difference = float(used.half_turns * _PI - given.radians)
     text = format_angle(used)
-    record.append(Snapped(motion.source, angle_value(given), text, difference))
-    return used
+    taken = record.takes(motion.source, angle_value(given), text, difference)
+    return used if taken else given
 
 
 def _meant(radians: Fraction, policy: SnapPolicy) -> Angle | None:
     """The multiple of pi that ``radians`` stands for, if any."""
     right = Fraction(round(2 * radians / _PI), 2)
-    if _is_printed(radians, right * _PI):
+    if policy.printed and _is_printed(radians, right * _PI):
         return Angle(right)
     for parts in (6, 4):
         multiple = Fraction(round(parts * radians / _PI), parts)
@@ -168,7 +182,3 @@ def _is_printed(value: Fraction, exact: Fraction) -> bool:
 def _small(vector: Vector, bound: Fraction) -> list[int]:
     """The components that are not 0 and at most ``bound``."""
     return [k for k, value in enumerate(vector) if 0 < abs(value) <= bound]
-
-
-def _note(record: list[Snapped], where: str, given: float) -> None:
-    record.append(Snapped(where, given, "0", -given))

@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from cuspaudit.errors import InvalidRobotError
 from cuspaudit.kinematics.chain import (
     X_AXIS,
     Z_AXIS,
@@ -19,7 +20,12 @@ from cuspaudit.kinematics.chain import (
     Translation,
 )
 from cuspaudit.kinematics.frames import frames
-from cuspaudit.kinematics.snapping import SnapPolicy, snap
+from cuspaudit.kinematics.snap_policy import (
+    NO_SNAPPING,
+    SnapPolicy,
+    policy_from_name,
+)
+from cuspaudit.kinematics.snapping import snap
 from cuspaudit.kinematics.urdf import read_urdf
 
 Line = tuple[np.ndarray, np.ndarray]
@@ -111,6 +117,69 @@ def test_a_policy_can_be_stricter() -> None:
     strict = SnapPolicy(Fraction(0), Fraction(0), Fraction(0))
     assert snap(turned("1.57080287682252"), strict)[1] == ()
     assert len(snap(turned("1.5708"), strict)[1]) == 1
+
+
+def test_nothing_can_be_snapped() -> None:
+    """With the policy `none` even a printed pi/2 stays what it is."""
+    chain = turned("1.5708")
+    assert policy_from_name("none") == NO_SNAPPING
+    assert snap(chain, NO_SNAPPING) == (chain, ())
+
+
+def test_a_policy_is_read_from_a_file(tmp_path: Path) -> None:
+    """A file changes the tolerances it names, as exact decimals, and is recorded."""
+    path = tmp_path / "tight.yaml"
+    path.write_text("length: 1e-9\nprinted: false\n")
+    policy = policy_from_name(str(path))
+    assert policy == SnapPolicy(
+        length=Fraction(1, 10**9), printed=False, name=str(path)
+    )
+    assert policy.record() == {
+        **{"name": str(path), "angle": "0.00001", "length": "0.000000001"},
+        **{"axis": "0.00001", "printed": False},
+    }
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("length: -1", "write a number from 0 to 1"),
+        ("length: 2", "write a number from 0 to 1"),
+        ("length: one", "is not a number"),
+        ("printed: maybe", "no entry of a policy"),
+        ("width: 1", "width: no entry of a policy"),
+        ("1", "not a mapping"),
+    ],
+)
+def test_a_bad_policy_is_refused(tmp_path: Path, text: str, said: str) -> None:
+    """What is no policy is refused in one line that names the entry."""
+    path = tmp_path / "bad.yaml"
+    path.write_text(text)
+    with pytest.raises(InvalidRobotError, match=said):
+        policy_from_name(str(path))
+    with pytest.raises(InvalidRobotError, match="give --snap none"):
+        policy_from_name(str(tmp_path / "none.yaml"))
+
+
+def test_each_snapped_number_says_what_it_changes() -> None:
+    """A number names the axes that stand square, meet or are parallel because of it."""
+    half, noise = Angle(radians=Fraction("1.5708")), Fraction(1, 10**6)
+    joints = (
+        Joint("j1", "revolute", (Translation((noise, Fraction(0), Fraction(1))),)),
+        Joint("j2", "revolute", (Rotation(X_AXIS, half),)),
+        Joint("j3", "revolute", (Translation((Fraction(1), noise, Fraction(0))),)),
+        Joint("j4", "revolute", (Rotation(X_AXIS, Angle(radians=noise)),)),
+        Joint(
+            "j5",
+            "revolute",
+            (Rotation(X_AXIS, half), Translation((noise, Fraction(0), Fraction(0)))),
+        ),
+    )
+    _, record = snap(Chain("arm", joints))
+    assert [entry.effect for entry in record] == [
+        *("", "axes 1 and 2 are square", "", "axes 3 and 4 coincide"),
+        *("axes 4 and 5 are square", "axes 4 and 5 meet"),
+    ]
 
 
 def lines(chain: Chain) -> list[Line]:
