@@ -24,9 +24,13 @@ def rationals_between(low: arb | None, high: arb | None) -> Iterator[fmpq]:
         right = exact_rational(high) - exact_rational(high.rad())
         left = fmpq(right.floor() - 3) if low is None else left
     width = right - left
+    seen: set[fmpq] = set()
     for k in range(_TRIES):
         start = left + width * (fmpq(1, 3) + fmpq(k, 5 * _TRIES))
-        yield simplest_between(start, start + width * fmpq(1, 4 + 3 * k))
+        candidate = simplest_between(start, start + width * fmpq(1, 4 + 3 * k))
+        if candidate not in seen:
+            seen.add(candidate)
+            yield candidate
 
 
 def simplest_between(low: fmpq, high: fmpq) -> fmpq:
