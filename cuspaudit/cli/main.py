@@ -19,6 +19,7 @@ import typer
 from rich.console import Console
 
 import cuspaudit
+from cuspaudit.cli.families import sweep
 from cuspaudit.cli.plot import At, plot_robot
 from cuspaudit.cli.summary import print_summary, print_understood
 from cuspaudit.errors import CuspauditError, InvalidInputError
@@ -389,6 +390,9 @@ def check(
     if junit_file:
         write_text(junit_file, junit(results))
     raise typer.Exit(1 if bad else 0)
+
+
+app.command(epilog="Example: cuspaudit sweep family.yaml -o table -j 2")(sweep)
 
 
 def _open(

@@ -11,7 +11,8 @@
     seed: 0
 
 The numbers of the robot are those of a robot file, or expressions in the parameters
-(`expressions`); parsed, never evaluated.
+(`expressions`); parsed, never evaluated. A sweep adds a ``provenance``, which is not
+part of the family.
 """
 
 from __future__ import annotations
@@ -41,7 +42,7 @@ _RESERVED = {
 }
 _KEYS = (
     *("family", "robot", "parameters", "constraints", "adaptive"),
-    *("record", "seed", "title", "source"),
+    *("record", "seed", "title", "source", "provenance"),
 )
 _CELLS = ("a", "alpha", "d", "theta", "qmin", "qmax")
 _MOST_MEMBERS = 10**12
@@ -57,6 +58,8 @@ def read_family(path: Path) -> Family:
     place = Place(str(path))
     entries = read_mapping(path, place)
     check_known(entries, _KEYS, place)
+    entries.pop("provenance", None)
+    text = json.dumps(entries)
     robot = entries.get("robot")
     if not isinstance(robot, Mapping):
         raise place.at("robot").error("no robot", "write robot: and its lines below")
@@ -81,8 +84,8 @@ def read_family(path: Path) -> Family:
     family = Family(
         name=word(entries, "family", place) or path.stem,
         file=str(path),
-        text=path.read_bytes().decode("utf-8-sig"),
-        hash=hashlib.sha256(json.dumps(entries).encode()).hexdigest(),
+        text=text,
+        hash=hashlib.sha256(text.encode()).hexdigest(),
         parameters=parameters,
         constraints=conditions,
         record=wanted,

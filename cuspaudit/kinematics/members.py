@@ -48,8 +48,8 @@ class Family:
     Attributes:
         name: the family's name.
         file: the file as the user gave it.
-        text: what stands in the file.
-        hash: of what the file says; comments and spaces do not count.
+        text: what the file says, as JSON.
+        hash: of ``text``, so that comments and spaces do not count.
         parameters: in the order of the file; those of ``adaptive`` at full sharpness.
         constraints: all hold for a member.
         record: the columns wanted beside verdict and proof.

@@ -1,0 +1,103 @@
+"""One member of a family, decided: a row of the table of a sweep."""
+
+from __future__ import annotations
+
+import math
+import time
+from typing import Any
+
+from cuspaudit.audit.answer import Answer, answer
+from cuspaudit.cuspidality.verdict import Verdict
+from cuspaudit.errors import CuspauditError, UnableError
+from cuspaudit.geometry.cusps import Count
+from cuspaudit.kinematics.chain import Angle, Chain
+from cuspaudit.kinematics.exact_model import exact_model
+from cuspaudit.kinematics.expressions import Value
+from cuspaudit.kinematics.members import Family, exact_text
+
+__all__ = ["Row", "decide_member", "failed_member"]
+
+Row = dict[str, Any]
+
+
+def decide_member(family: Family, index: int) -> Row:
+    """The row of a member; whatever goes wrong with it stands in the row's ``error``.
+
+    The numbers are those of the family, not snapped: what a family says is meant.
+    """
+    row = _parameters(family, index)
+    begun = time.perf_counter()
+    try:
+        row |= _decided(family, index)
+    except CuspauditError as error:
+        row["error"] = _one_line(error)
+    except Exception as error:  # one bad member is a row, not the end of a sweep
+        row["error"] = f"internal error: {type(error).__name__}: {_one_line(error)}"
+    row["seconds"] = round(time.perf_counter() - begun, 4)
+    return row
+
+
+def failed_member(family: Family, index: int, why: str) -> Row:
+    """The row of a member that could not be tried."""
+    return _parameters(family, index) | {"error": why, "seconds": 0.0}
+
+
+def _decided(family: Family, index: int) -> Row:
+    robot = family.robot(index)
+    found = answer(exact_model(robot.chain))
+    counts = {
+        "cusps": found.cusps,
+        "nodes": found.nodes,
+        "aspects": found.aspects,
+        "max_postures": found.postures,
+    }
+    row: Row = {
+        "verdict": found.verdict.value,
+        "proof": _proof(found),
+        "exact": found.model.is_exact,
+        "why": found.why if found.undecided else None,
+    }
+    row |= {name: _proved(counts[name]) for name in family.record if name in counts}
+    if "clearance" in family.record:
+        row["clearance"] = _clearance(found, robot.chain)
+    return row
+
+
+def _proof(found: Answer) -> str:
+    if found.verdict is Verdict.UNDECIDED:
+        return "none"
+    return "exact" if found.reduction is None else "reduction"
+
+
+def _proved(count: Count | None) -> int | None:
+    return count.count if count is not None and count.proved else None
+
+
+def _clearance(found: Answer, chain: Chain) -> float | None:
+    """The clearance of a certified witness; None where there is none."""
+    from cuspaudit.audit.witness import find_witness
+
+    if found.verdict is not Verdict.CUSPIDAL:
+        return None
+    try:
+        return find_witness(found, chain).clearance
+    except UnableError:
+        return None
+
+
+def _parameters(family: Family, index: int) -> Row:
+    row: Row = {"index": index}
+    for name, value in (family.values(index) or {}).items():
+        row[name] = _float(value)
+        row[f"{name}_exact"] = exact_text(value)
+    return row
+
+
+def _float(value: Value) -> float:
+    if isinstance(value, Angle):
+        return float(value.half_turns) * math.pi + float(value.radians)
+    return float(value)
+
+
+def _one_line(error: BaseException) -> str:
+    return " ".join(str(error).split())[:400]

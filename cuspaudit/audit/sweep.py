@@ -1,0 +1,97 @@
+"""A sweep: every member of a family decided and kept, taken up where it stopped."""
+
+from __future__ import annotations
+
+import platform
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import AbstractContextManager
+from dataclasses import dataclass
+from importlib.metadata import PackageNotFoundError, version
+from pathlib import Path
+from typing import Protocol
+
+import cuspaudit
+from cuspaudit.audit.member import Row
+from cuspaudit.audit.pool import LocalPool
+from cuspaudit.audit.store import Store
+from cuspaudit.kinematics.family_file import read_family
+from cuspaudit.kinematics.members import Family
+
+__all__ = ["Swept", "sweep"]
+
+_PACKAGES = ("python-flint", "sympy", "networkx", "numpy", "pyarrow")
+
+
+class Runner(Protocol):
+    """What decides members: processes here, or a cluster."""
+
+    def rows(self, indices: Iterable[int]) -> Iterator[Row]:
+        """The rows of the members, in any order."""
+
+
+@dataclass(frozen=True)
+class Swept:
+    """What a sweep did.
+
+    Attributes:
+        kept: rows that were there before.
+        added: rows of this run.
+        errors: of those, rows with an error.
+    """
+
+    kept: int
+    added: int
+    errors: int
+
+
+def sweep(
+    path: Path,
+    folder: Path,
+    workers: int = 1,
+    progress: Callable[[int, int], None] = lambda done, size: None,
+) -> Swept:
+    """Decide every member of the family in ``path`` that ``folder`` lacks.
+
+    Args:
+        path: the family file.
+        folder: where the table is, or will be.
+        workers: processes.
+        progress: called with how many indices are dealt with, of how many.
+
+    Raises:
+        InvalidRobotError: the family cannot be read.
+        InvalidInputError: the folder belongs to another family or run, or the disk
+            is full.
+    """
+    family = read_family(path)
+    runner: AbstractContextManager[Runner] = LocalPool(family, workers)
+    with Store(folder, family, _versions()) as store, runner as run:
+        return _swept(family, store, run, progress)
+
+
+def _swept(
+    family: Family, store: Store, run: Runner, progress: Callable[[int, int], None]
+) -> Swept:
+    kept = len(store.done)
+    added = errors = 0
+    progress(kept, family.size)
+    missing = (k for k in family.indices() if k not in store.done)
+    for row in run.rows(missing):
+        store.add(row)
+        added += 1
+        errors += row.get("error") is not None
+        progress(kept + added, family.size)
+    return Swept(kept, added, errors)
+
+
+def _versions() -> dict[str, str | None]:
+    found: dict[str, str | None] = {
+        "cuspaudit": cuspaudit.__version__,
+        "python": platform.python_version(),
+    }
+    for package in _PACKAGES:
+        try:
+            found[package] = version(package)
+        except PackageNotFoundError:
+            found[package] = None
+    return found

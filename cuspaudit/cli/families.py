@@ -1,0 +1,61 @@
+"""The commands on families: arguments in, exit code out."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Annotated
+
+import typer
+from rich.console import Console
+from rich.progress import BarColumn, MofNCompleteColumn, Progress, TaskID, TextColumn
+from rich.progress import TimeRemainingColumn as Remaining
+
+__all__ = ["sweep"]
+
+
+def sweep(
+    family: Annotated[
+        Path, typer.Argument(metavar="FAMILY.yaml", help="A family file.")
+    ],
+    folder: Annotated[
+        Path, typer.Option("-o", metavar="DIR", help="The table; taken up if there.")
+    ],
+    workers: Annotated[int, typer.Option("-j", min=1, help="Processes.")] = 1,
+) -> None:
+    """Decide every member of a family, exactly; run again to go on after a stop."""
+    from cuspaudit.audit.sweep import sweep as run
+
+    try:
+        with _progress() as report:
+            done = run(family, folder, workers, report)
+    except KeyboardInterrupt:
+        typer.echo("cuspaudit: interrupted; the rows so far are kept", err=True)
+        raise typer.Exit(130) from None
+    typer.echo(
+        f"{done.kept + done.added} members in {folder}/results.parquet: "
+        f"{done.added} new, {done.errors} with an error"
+    )
+
+
+@contextmanager
+def _progress() -> Iterator[Callable[[int, int], None]]:
+    """A bar with rate and remaining time, on a terminal only."""
+    console = Console(stderr=True)
+    if not console.is_terminal:
+        yield lambda done, size: None
+        return
+    columns = (BarColumn(), MofNCompleteColumn(), TextColumn("{task.fields[rate]}"))
+    with Progress(*columns, Remaining(), console=console) as bar:
+        task: TaskID | None = None
+
+        def report(done: int, size: int) -> None:
+            nonlocal task
+            if task is None:
+                task = bar.add_task("members", total=size, completed=done, rate="")
+            speed = bar.tasks[0].speed
+            rate = f"{speed:.1f} members/s" if speed else ""
+            bar.update(task, completed=done, total=size, rate=rate)
+
+        yield report
