@@ -31,6 +31,11 @@ def understood(robot: Robot, policy: SnapPolicy = DEFAULT_POLICY) -> dict[str, A
     """
     chain = robot.chain
     snapped_chain, snapped = snap(chain, policy)
+    model = exact_model(snapped_chain)
+    entries = _map(model)
+    notes = list(robot.notes)
+    if entries["determinant"] == "0":
+        notes.append("det J is 0 everywhere: the tip never has the task's full freedom")
     return {
         "name": robot.name,
         "title": robot.title,
@@ -53,8 +58,9 @@ def understood(robot: Robot, policy: SnapPolicy = DEFAULT_POLICY) -> dict[str, A
         "tool": _motions(chain.tool),
         "snap_policy": policy.record(),
         "snapped": [asdict(entry) for entry in snapped],
-        "notes": list(robot.notes),
-        "map": _map(exact_model(snapped_chain)),
+        "approximated": [asdict(entry) for entry in model.approximations],
+        "notes": notes,
+        "map": entries,
     }
 
 

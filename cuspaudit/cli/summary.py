@@ -91,6 +91,12 @@ def print_understood(found: Mapping[str, Any]) -> None:
         )
     if not found["snapped"]:
         console.print("snapped: nothing; the model is the file's")
+    for entry in found["approximated"]:
+        console.print(
+            f"approximated: {entry['where']}: by a rational point of the circle or "
+            f"sphere within {entry['difference']:.0e} rad",
+            markup=False,
+        )
     _print_map(console, found["map"])
 
 
