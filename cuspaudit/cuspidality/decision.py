@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from itertools import combinations
 
-from flint import fmpq
+from flint import fmpq, fmpq_poly
 
 from cuspaudit.algebra.ring import Polynomial
 from cuspaudit.algebra.system import PolynomialMap, PolynomialSystem
@@ -142,22 +142,28 @@ def _couples(graph: RoadmapGraph, samples: list[Fiber]) -> Iterator[Couple]:
 def _generic(
     fibers: FiberPolynomials, road: Roadmap
 ) -> Callable[[tuple[fmpq, ...]], bool]:
-    """True for values whose postures all lie in the charts and over no zero of D."""
+    """True for values whose postures all lie in the charts and over no zero of D.
+
+    The second coordinate of each follows from its linear equation s_1 t + s_0 = 0.
+    """
     ring = fibers.ring
-    gap = fibers.chart_gap()
-    along_base = (
-        fibers.polynomial if fibers.separating == "x" else fibers.eliminant("x")
-    )
+    gap, slope = fibers.chart_gap(), fibers.linear_factor()[0]
+    polynomial = fibers.polynomial
+    along_base = polynomial if fibers.separating == "x" else fibers.eliminant("x")
 
     def accept(value: tuple[fmpq, ...]) -> bool:
         at = dict(zip(("u", "v"), value, strict=True))
         if ring.substitute(gap, at) == 0:
             return False
-        special = ring.substitute(along_base, at)
-        postures = Univariate.from_polynomial(ring, special, "x").norm
+        own, linear = (special(p, at, fibers.separating) for p in (polynomial, slope))
+        if own.gcd(linear).degree() > 0:
+            return False
+        postures = special(along_base, at, "x").numer()
         return all(
-            postures.numer().gcd(root.polynomial).degree() == 0
-            for root in road.critical
+            postures.gcd(root.polynomial).degree() == 0 for root in road.critical
         )
+
+    def special(p: Polynomial, at: dict[str, fmpq], name: str) -> fmpq_poly:
+        return Univariate.from_polynomial(ring, ring.substitute(p, at), name).norm
 
     return accept

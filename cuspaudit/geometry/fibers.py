@@ -114,16 +114,22 @@ def fiber_polynomials(surface: Surface, mapping: PolynomialMap) -> FiberPolynomi
         ring.gen(value) * denominator - numerator
         for value, (numerator, denominator) in zip(("u", "v"), charted, strict=True)
     )
+    failure = UnableError("sample_points", "neither coordinate separates postures")
     for separating in ("x", "y"):
         polynomial = _eliminant(ring, (e1, e2), separating)
-        if polynomial.is_constant():
+        if polynomial.derivative(separating) == 0:
             raise DegenerateMapError("the map has rank below 2 everywhere")
         simple = discriminant(ring, polynomial, separating)
-        if simple != 0:
-            fibers = FiberPolynomials(surface, (e1, e2), separating, polynomial, simple)
+        if simple == 0:
+            continue
+        fibers = FiberPolynomials(surface, (e1, e2), separating, polynomial, simple)
+        try:
             _check_multiple_roots(fibers, charted)
-            return fibers
-    raise UnableError("sample_points", "neither joint coordinate separates postures")
+        except UnableError as limit:
+            failure = limit
+            continue
+        return fibers
+    raise failure
 
 
 def _eliminant(

@@ -100,7 +100,7 @@ def test_sign_at_an_algebraic_number(
 
 
 def test_exact_zeros_over_the_field() -> None:
-    """The polynomial x - sqrt 2 vanishes at sqrt 2 and not at -sqrt 2; x^2 - 2 at both."""
+    """The polynomial x - sqrt 2 vanishes at sqrt 2, not at -sqrt 2; x^2 - 2 at both."""
     low, high = (root_of(-2, 0, 1, index=i) for i in (0, 1))
     linear = over_k([0, 1], [-1], 2)
     assert linear.sign_at(high) == 0
