@@ -18,9 +18,10 @@ from cuspaudit.algebra.ring import Polynomial
 from cuspaudit.algebra.univariate import RealRoot
 from cuspaudit.cuspidality.decision import Decision
 from cuspaudit.geometry.surface import Factor
-from cuspaudit.kinematics.exact_model import ExactModel, dot
+from cuspaudit.kinematics.exact_model import ExactModel
 from cuspaudit.kinematics.frames import angle_value
 from cuspaudit.kinematics.polynomial_map import reduced_map
+from cuspaudit.kinematics.transform import dot
 
 __all__ = ["FULL_TURN", "Array", "JointSurface"]
 

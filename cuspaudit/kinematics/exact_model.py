@@ -13,16 +13,9 @@ from collections import Counter
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
-from math import isqrt
 
-from flint import arb, ctx, fmpq
-
-from cuspaudit.algebra.rationals import exact_rational, simplest_between
-from cuspaudit.algebra.ring import Polynomial, Ring, rational
+from cuspaudit.algebra.ring import Ring
 from cuspaudit.kinematics.chain import (
-    X_AXIS,
-    Y_AXIS,
-    Z_AXIS,
     Angle,
     Chain,
     Joint,
@@ -31,14 +24,19 @@ from cuspaudit.kinematics.chain import (
     Translation,
     Vector,
 )
+from cuspaudit.kinematics.directions import cos_sin, unit_vector
+from cuspaudit.kinematics.transform import (
+    Column,
+    Transform,
+    column,
+    identity,
+    turn,
+    zero,
+)
 
-__all__ = ["Approximation", "ExactJoint", "ExactModel", "Transform", "exact_model"]
+__all__ = ["Approximation", "ExactJoint", "ExactModel", "exact_model"]
 
 TOLERANCE = Fraction(1, 10**12)
-_BITS = 256
-
-Column = tuple[Polynomial, ...]
-Rows = tuple[Column, ...]
 
 
 @dataclass(frozen=True)
@@ -52,45 +50,6 @@ class Approximation:
 
     where: str
     difference: float
-
-
-@dataclass(frozen=True)
-class Transform:
-    """x -> rotation x + translation, entries constant or polynomial in a ring.
-
-    Attributes:
-        ring: where the entries live.
-        rotation: three rows.
-        translation: three entries.
-    """
-
-    ring: Ring
-    rotation: Rows
-    translation: Column
-
-    def __matmul__(self, other: Transform) -> Transform:
-        columns = zip(*other.rotation, strict=True)
-        turned = [self.turn(column) for column in columns]
-        return Transform(
-            self.ring,
-            tuple(zip(*turned, strict=True)),
-            self.apply(other.translation),
-        )
-
-    def turn(self, direction: Column) -> Column:
-        """The image of a direction."""
-        return tuple(dot(self.ring, row, direction) for row in self.rotation)
-
-    def apply(self, point: Column) -> Column:
-        """The image of a point."""
-        turned = self.turn(point)
-        return tuple(a + b for a, b in zip(turned, self.translation, strict=True))
-
-    def inverse(self) -> Transform:
-        """The inverse motion."""
-        back: Rows = tuple(zip(*self.rotation, strict=True))
-        turned = Transform(self.ring, back, self.translation).turn(self.translation)
-        return Transform(self.ring, back, tuple(-x for x in turned))
 
 
 @dataclass(frozen=True)
@@ -142,10 +101,10 @@ class ExactModel:
         ring = self.ring
         if joint.kind == "prismatic":
             q = ring.gen(joint.variables[0])
-            identity = _turn(ring, joint.axis, ring.constant(1), ring.constant(0))
+            identity = turn(ring, joint.axis, ring.constant(1), ring.constant(0))
             return Transform(ring, identity, tuple(x * q for x in joint.axis))
         c, s = (ring.gen(name) for name in joint.variables)
-        return Transform(ring, _turn(ring, joint.axis, c, s), _zero(ring))
+        return Transform(ring, turn(ring, joint.axis, c, s), zero(ring))
 
 
 def exact_model(chain: Chain, tolerance: Fraction = TOLERANCE) -> ExactModel:
@@ -165,28 +124,18 @@ def exact_model(chain: Chain, tolerance: Fraction = TOLERANCE) -> ExactModel:
             seen.append(Approximation(where, float(tolerance)))
 
     joints = []
-    for number, (joint, zero) in enumerate(plan, 1):
+    for number, (joint, offset) in enumerate(plan, 1):
         before = _product(ring, joint.before, tolerance, f"{joint.name} before", note)
-        axis, exact = _unit(joint.axis, tolerance)
+        axis, exact = unit_vector(joint.axis, tolerance)
         note(f"{joint.name} axis", exact)
         names = _names(number, joint)
         joints.append(
-            ExactJoint(joint.name, joint.kind, before, _column(ring, axis), zero, names)
+            ExactJoint(
+                joint.name, joint.kind, before, column(ring, axis), offset, names
+            )
         )
     tool = _product(ring, chain.tool, tolerance, "tool", note)
     return ExactModel(chain, ring, tuple(joints), tool, tuple(seen))
-
-
-def dot(ring: Ring, a: Column, b: Column) -> Polynomial:
-    """The inner product, reduced in the field."""
-    return ring.reduce(ring.total(x * y for x, y in zip(a, b, strict=True)))
-
-
-def cross(ring: Ring, a: Column, b: Column) -> Column:
-    """The vector product, reduced in the field."""
-    (x, y, z), (u, v, w) = a, b
-    entries = (y * w - z * v, z * u - x * w, x * v - y * u)
-    return tuple(ring.reduce(entry) for entry in entries)
 
 
 def _names(number: int, joint: Joint) -> tuple[str, ...]:
@@ -247,146 +196,16 @@ def _product(
     where: str,
     note: Callable[[str, bool], None],
 ) -> Transform:
-    result = Transform(ring, _identity(ring), _zero(ring))
+    result = Transform(ring, identity(ring), zero(ring))
     for motion in motions:
         if isinstance(motion, Translation):
-            step = Transform(ring, _identity(ring), _column(ring, motion.vector))
+            step = Transform(ring, identity(ring), column(ring, motion.vector))
         else:
-            axis, exact_axis = _unit(motion.axis, tolerance)
-            c, s, exact = _cos_sin(ring, motion.angle, tolerance)
+            axis, exact_axis = unit_vector(motion.axis, tolerance)
+            c, s, exact = cos_sin(ring, motion.angle, tolerance)
             note(f"{where}, rotation axis", exact_axis)
             note(f"{where}, angle", exact)
-            turn = _turn(ring, _column(ring, axis), c, s)
-            step = Transform(ring, turn, _zero(ring))
+            rows = turn(ring, column(ring, axis), c, s)
+            step = Transform(ring, rows, zero(ring))
         result = result @ step
     return result
-
-
-def _identity(ring: Ring) -> Rows:
-    return tuple(_column(ring, axis) for axis in (X_AXIS, Y_AXIS, Z_AXIS))
-
-
-def _zero(ring: Ring) -> Column:
-    return _column(ring, (Fraction(0),) * 3)
-
-
-def _column(ring: Ring, vector: Vector) -> Column:
-    x, y, z = (ring.constant(entry) for entry in vector)
-    return (x, y, z)
-
-
-def _turn(ring: Ring, axis: Column, c: Polynomial, s: Polynomial) -> Rows:
-    """The rotation matrix c 1 + (1 - c) axis axis^T + s [axis]_x (Rodrigues)."""
-    x, y, z = axis
-    k = 1 - c
-    rows = (
-        (c + x * x * k, x * y * k - z * s, x * z * k + y * s),
-        (y * x * k + z * s, c + y * y * k, y * z * k - x * s),
-        (z * x * k - y * s, z * y * k + x * s, c + z * z * k),
-    )
-    return tuple(tuple(ring.reduce(entry) for entry in row) for row in rows)
-
-
-def _cos_sin(
-    ring: Ring, angle: Angle, tolerance: Fraction
-) -> tuple[Polynomial, Polynomial, bool]:
-    """(cos, sin, whether they are exact) in the field of the ring."""
-    if angle.radians == 0:
-        table = _TABLE.get((ring.radicand, angle.half_turns % 2))
-        table = table or _TABLE.get((None, angle.half_turns % 2))
-        if table is not None:
-            c, s = (
-                ring.constant(plain) + (ring.surd * surd if surd else 0)
-                for plain, surd in table
-            )
-            return c, s, True
-    near = _near_cos_sin(angle, tolerance)
-    return ring.constant(near[0]), ring.constant(near[1]), False
-
-
-_Table = dict[tuple[int | None, Fraction], tuple[tuple[fmpq, fmpq], ...]]
-
-
-def _build_table() -> _Table:
-    """(radicand, half turns) -> (cos, sin), each as plain + surd sqrt(radicand)."""
-    half, zero, one = fmpq(1, 2), fmpq(0), fmpq(1)
-    first: dict[tuple[int | None, Fraction], tuple[fmpq, fmpq, fmpq, fmpq]] = {
-        (None, Fraction(0)): (one, zero, zero, zero),
-        (2, Fraction(1, 4)): (zero, half, zero, half),
-        (3, Fraction(1, 6)): (zero, half, half, zero),
-        (3, Fraction(1, 3)): (half, zero, zero, half),
-    }
-    table: _Table = {}
-    for (radicand, turns), (c, cs, s, ss) in first.items():
-        for quarter in range(4):
-            key = (radicand, turns + Fraction(quarter, 2))
-            table[key] = ((c, cs), (s, ss))
-            c, cs, s, ss = -s, -ss, c, cs
-    return table
-
-
-_TABLE = _build_table()
-
-
-def _near_cos_sin(angle: Angle, tolerance: Fraction) -> tuple[fmpq, fmpq]:
-    """A rational point of the circle within ``tolerance`` of the angle.
-
-    The opposite angle gives the conjugate point, so that axes that two such turns
-    make parallel stay parallel.
-    """
-    saved, ctx.prec = ctx.prec, _BITS
-    try:
-        value = arb(rational(angle.half_turns)) * arb.pi() + arb(
-            rational(angle.radians)
-        )
-        quarter = round(float(2 * value / arb.pi()))
-        t = _simplest(((value - quarter * arb.pi() / 2) / 2).tan(), tolerance / 2)
-    finally:
-        ctx.prec = saved
-    c, s = (1 - t * t) / (1 + t * t), 2 * t / (1 + t * t)
-    for _ in range(quarter % 4):
-        c, s = -s, c
-    return c, s
-
-
-def _unit(axis: Vector, tolerance: Fraction) -> tuple[Vector, bool]:
-    """(rational unit vector, whether it is the direction exactly)."""
-    square = sum((x * x for x in axis), Fraction(0))
-    root = rational(square).sqrt() if _is_square(square) else None
-    if root is not None:
-        length = Fraction(int(root.p), int(root.q))
-        x, y, z = (entry / length for entry in axis)
-        return (x, y, z), True
-    at = max(range(3), key=lambda i: abs(axis[i]))
-    sign = 1 if axis[at] > 0 else -1
-    saved, ctx.prec = ctx.prec, _BITS
-    try:
-        length_ball = arb(rational(square)).sqrt()
-        rest = [
-            _simplest(
-                arb(rational(axis[i])) / (length_ball + sign * arb(rational(axis[at]))),
-                tolerance / 4,
-            )
-            for i in range(3)
-            if i != at
-        ]
-    finally:
-        ctx.prec = saved
-    p, q = (Fraction(int(x.p), int(x.q)) for x in rest)
-    below = 1 + p * p + q * q
-    found = [2 * p / below, 2 * q / below]
-    found.insert(at, sign * (1 - p * p - q * q) / below)
-    return (found[0], found[1], found[2]), False
-
-
-def _is_square(value: Fraction) -> bool:
-    return all(
-        isqrt(part) ** 2 == part for part in (value.numerator, value.denominator)
-    )
-
-
-def _simplest(value: arb, tolerance: Fraction) -> fmpq:
-    """The simplest rational within ``tolerance`` of a narrow ball."""
-    middle = exact_rational(value)
-    width = rational(tolerance) * fmpq(9, 10)
-    return simplest_between(middle - width, middle + width)

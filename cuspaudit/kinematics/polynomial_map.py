@@ -14,14 +14,8 @@ from cuspaudit.algebra.matrix import determinant
 from cuspaudit.algebra.ring import Polynomial, Ring
 from cuspaudit.algebra.system import PolynomialMap, PolynomialSystem
 from cuspaudit.errors import UnableError
-from cuspaudit.kinematics.exact_model import (
-    Column,
-    ExactJoint,
-    ExactModel,
-    Transform,
-    cross,
-    dot,
-)
+from cuspaudit.kinematics.exact_model import ExactJoint, ExactModel
+from cuspaudit.kinematics.transform import Column, Transform, cross, dot
 
 __all__ = [
     "KinematicMap",

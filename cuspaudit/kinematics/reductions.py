@@ -14,14 +14,8 @@ from typing import Literal
 from cuspaudit.algebra.rationals import exact_rational
 from cuspaudit.algebra.ring import Polynomial, Ring
 from cuspaudit.kinematics.chain import Translation, Vector, reverse
-from cuspaudit.kinematics.exact_model import (
-    Column,
-    ExactModel,
-    Transform,
-    cross,
-    dot,
-    exact_model,
-)
+from cuspaudit.kinematics.exact_model import ExactModel, exact_model
+from cuspaudit.kinematics.transform import Column, Transform, cross, dot
 
 __all__ = ["LOOKED_FOR", "Reduction", "reduce_six_joints"]
 
