@@ -1,5 +1,6 @@
 """Robots by name: those of ``robots/``, those of example-robot-data, and files.
 
+Names of robot_descriptions are known as well where that package is installed.
 example-robot-data is found by its folder beside pinocchio and is not imported.
 """
 
@@ -14,6 +15,7 @@ from fractions import Fraction
 from pathlib import Path
 
 import cuspaudit
+from cuspaudit.audit.descriptions import description_file, description_names
 from cuspaudit.errors import InvalidRobotError
 from cuspaudit.kinematics.chain import Angle
 from cuspaudit.kinematics.place import listing, quoted
@@ -107,7 +109,11 @@ def _find(name_or_path: str | Path) -> Path:
     known = dict(library())
     if text in known:
         return known[text]
-    near = difflib.get_close_matches(text, known, n=5, cutoff=0.5)
+    described = description_file(text)
+    if described is not None:
+        return described
+    names = [*known, *description_names()]
+    near = difflib.get_close_matches(text, names, n=5, cutoff=0.5)
     raise InvalidRobotError(
         file=quoted(text),
         found="no file and no robot of this name",

@@ -299,11 +299,14 @@ def import_(
     seed: Seed = 0,
 ) -> None:
     """Show what was understood: chain, polynomial map, snapped numbers."""
+    from cuspaudit.audit.descriptions import description_names
     from cuspaudit.audit.library import library
 
     if names:
         for name, path in library():
             typer.echo(f"{name:28} {path}")
+        for name in description_names():
+            typer.echo(f"{name:28} robot_descriptions")
         return
     if robot is None:
         _fail("import: no robot named; give ROBOT, or --list for the names known")
