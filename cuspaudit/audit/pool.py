@@ -17,6 +17,7 @@ from multiprocessing import connection, get_context, parent_process
 from types import TracebackType
 
 from cuspaudit.audit.member import Row, decide_member, failed_member
+from cuspaudit.errors import UnableError
 from cuspaudit.kinematics.members import Family
 
 __all__ = ["LocalPool"]
@@ -86,8 +87,16 @@ class LocalPool:
         return refused
 
     def _alone(self, index: int) -> Row:
-        """The row of a member that ran when a process died: now by itself."""
+        """The row of a member that ran when a process died: now by itself.
+
+        Raises:
+            UnableError: processes die before they are given a member.
+        """
         with _pool(self._family, 1) as pool:
+            try:
+                pool.submit(os.getpid).result()
+            except BrokenProcessPool:
+                raise UnableError("sweep", "no worker process can be started") from None
             try:
                 return pool.submit(_decide, index).result()
             except BrokenProcessPool:

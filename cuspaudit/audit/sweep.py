@@ -11,6 +11,8 @@ from pathlib import Path
 from typing import Protocol
 
 import cuspaudit
+from cuspaudit.audit.adaptive import waves
+from cuspaudit.audit.cluster import DaskCluster
 from cuspaudit.audit.member import Row
 from cuspaudit.audit.pool import LocalPool
 from cuspaudit.audit.store import Store
@@ -49,6 +51,7 @@ def sweep(
     folder: Path,
     workers: int = 1,
     progress: Callable[[int, int], None] = lambda done, size: None,
+    scheduler: str | None = None,
 ) -> Swept:
     """Decide every member of the family in ``path`` that ``folder`` lacks.
 
@@ -57,6 +60,8 @@ def sweep(
         folder: where the table is, or will be.
         workers: processes.
         progress: called with how many indices are dealt with, of how many.
+        scheduler: the address of a Dask scheduler that runs already; its workers are
+            used instead of processes here.
 
     Raises:
         InvalidRobotError: the family cannot be read.
@@ -64,7 +69,9 @@ def sweep(
             is full.
     """
     family = read_family(path)
-    runner: AbstractContextManager[Runner] = LocalPool(family, workers)
+    runner: AbstractContextManager[Runner] = (
+        DaskCluster(family, scheduler) if scheduler else LocalPool(family, workers)
+    )
     with Store(folder, family, _versions()) as store, runner as run:
         return _swept(family, store, run, progress)
 
@@ -74,13 +81,16 @@ def _swept(
 ) -> Swept:
     kept = len(store.done)
     added = errors = 0
-    progress(kept, family.size)
-    missing = (k for k in family.indices() if k not in store.done)
-    for row in run.rows(missing):
-        store.add(row)
-        added += 1
-        errors += row.get("error") is not None
-        progress(kept + added, family.size)
+    values = store.values(family.adaptive.on) if family.adaptive else {}
+    for wave in waves(family, values) if family.adaptive else [family.indices()]:
+        missing = (k for k in wave if k not in store.done and k not in values)
+        for row in run.rows(missing):
+            store.add(row)
+            if family.adaptive:
+                values[row["index"]] = tuple(map(row.get, family.adaptive.on))
+            added += 1
+            errors += row.get("error") is not None
+            progress(kept + added, 0 if family.adaptive else family.size)
     return Swept(kept, added, errors)
 
 

@@ -23,13 +23,17 @@ def sweep(
         Path, typer.Option("-o", metavar="DIR", help="The table; taken up if there.")
     ],
     workers: Annotated[int, typer.Option("-j", min=1, help="Processes.")] = 1,
+    scheduler: Annotated[
+        str | None,
+        typer.Option(metavar="ADDRESS", help="A Dask scheduler, tcp://HOST:8786."),
+    ] = None,
 ) -> None:
     """Decide every member of a family, exactly; run again to go on after a stop."""
     from cuspaudit.audit.sweep import sweep as run
 
     try:
         with _progress() as report:
-            done = run(family, folder, workers, report)
+            done = run(family, folder, workers, report, scheduler)
     except KeyboardInterrupt:
         typer.echo("cuspaudit: interrupted; the rows so far are kept", err=True)
         raise typer.Exit(130) from None
@@ -53,9 +57,9 @@ def _progress() -> Iterator[Callable[[int, int], None]]:
         def report(done: int, size: int) -> None:
             nonlocal task
             if task is None:
-                task = bar.add_task("members", total=size, completed=done, rate="")
+                task = bar.add_task("", total=size or None, completed=done, rate="")
             speed = bar.tasks[0].speed
             rate = f"{speed:.1f} members/s" if speed else ""
-            bar.update(task, completed=done, total=size, rate=rate)
+            bar.update(task, completed=done, rate=rate)
 
         yield report
