@@ -77,7 +77,7 @@ def delta_of(pair: tuple[PolynomialSystem, PolynomialMap]) -> Polynomial:
     return crit(*pair)[0]
 
 
-def flood_fill(variety: PolynomialSystem, delta: Polynomial, size: int = 400) -> int:
+def flood_fill(variety: PolynomialSystem, delta: Polynomial, size: int = 250) -> int:
     """The components of {delta != 0} on the torus, by a grid (right if generic)."""
     # an irrational shift, so that no symmetry puts a zero on the grid
     angles = np.linspace(-np.pi, np.pi, size, endpoint=False) + 0.0123456
@@ -85,17 +85,26 @@ def flood_fill(variety: PolynomialSystem, delta: Polynomial, size: int = 400) ->
     columns = (np.cos(first), np.sin(first), np.cos(second), np.sin(second))
     values = numeric_values(variety.ring, [delta], np.stack(columns, axis=1))
     signs = np.sign(values[:, 0]).astype(int).reshape(size, size)
-    label = np.arange(size * size).reshape(size, size)
-    for _ in range(4 * size):
-        best = label.copy()
-        for axis in (0, 1):
-            for step in (1, -1):
-                same = np.roll(signs, step, axis) == signs
-                best = np.where(
-                    same, np.minimum(best, np.roll(label, step, axis)), best
-                )
-        best = best.ravel()[best]  # jump to the label of the label
-        if (best == label).all():
-            break
-        label = best
-    return len(np.unique(label))
+    return len(np.unique(labels(signs, around=True)))
+
+
+def labels(signs: NDArray[np.int_], around: bool) -> NDArray[np.int_]:
+    """A number for each connected piece of equal signs on a grid, closed up or not."""
+    rows, columns = signs.shape
+    sign = signs.ravel().tolist()
+    label = [-1] * len(sign)
+    for start in range(len(sign)):
+        if label[start] >= 0:
+            continue
+        label[start], stack = start, [start]
+        while stack:
+            i, j = divmod(stack.pop(), columns)
+            for k, m in ((i + 1, j), (i - 1, j), (i, j + 1), (i, j - 1)):
+                inside = 0 <= k < rows and 0 <= m < columns
+                if not (inside or around):
+                    continue
+                at = k % rows * columns + m % columns
+                if label[at] < 0 and sign[at] == sign[start]:
+                    label[at] = start
+                    stack.append(at)
+    return np.array(label).reshape(signs.shape)
