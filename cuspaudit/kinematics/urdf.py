@@ -57,7 +57,8 @@ def read_urdf(
     path = Path(path)
     place = Place(str(path))
     if path.suffix == ".xacro":
-        raise place.error("a xacro file", "expand it first: xacro FILE > robot.urdf")
+        expected = "expand it first (pip install xacro): xacro FILE > robot.urdf"
+        raise place.error("a xacro file", expected)
     robot = read_xml(path, place)
     tree = tree_from_robot(robot, place)
     notes: list[str] = []
