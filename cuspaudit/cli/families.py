@@ -12,7 +12,17 @@ from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TaskID, TextColumn
 from rich.progress import TimeRemainingColumn as Remaining
 
-__all__ = ["sweep"]
+from cuspaudit.errors import InvalidInputError
+
+__all__ = ["Colour", "Fix", "X", "Y", "plot_family", "sweep"]
+
+X = Annotated[str | None, typer.Option("--x", help="DIR: the parameter to the right.")]
+Y = Annotated[str | None, typer.Option("--y", help="DIR: the parameter upwards.")]
+Colour = Annotated[str, typer.Option(help="DIR: verdict, cusps, nodes, aspects, ...")]
+Fix = Annotated[
+    list[str] | None,
+    typer.Option(metavar="NAME=VALUE", help="DIR: hold a parameter; repeatable."),
+]
 
 
 def sweep(
@@ -41,6 +51,44 @@ def sweep(
         f"{done.kept + done.added} members in {folder}/results.parquet: "
         f"{done.added} new, {done.errors} with an error"
     )
+
+
+def plot_family(
+    folder: Path,
+    output: Path,
+    *,
+    x: str | None,
+    y: str | None,
+    colour: str,
+    fix: list[str] | None,
+) -> None:
+    """Draw the phase diagram of a sweep.
+
+    Raises:
+        InvalidInputError: no sweep, an unknown name, or a file that cannot be written.
+    """
+    from cuspaudit.audit.phases import phases_of
+    from cuspaudit.audit.writing import check_writable, write_text
+    from cuspaudit.viz.phase import draw_phases, phase_page
+
+    ending = output.suffix.lower()
+    if ending not in (".png", ".svg", ".html"):
+        raise InvalidInputError(
+            file=str(output),
+            found="no format that can be drawn",
+            expected="end the name in one of .png, .svg, .html",
+        )
+    check_writable(output)
+    fixed = dict(entry.partition("=")[::2] for entry in fix or [])
+    shown = phases_of(folder, x, y, colour, fixed)
+    drawn = (shown.rows, shown.x, shown.y, shown.colour)
+    if ending == ".png":
+        output.write_bytes(draw_phases(*drawn, "png"))
+    else:
+        svg = draw_phases(*drawn, "svg")
+        page = phase_page(svg, shown.title, shown.files)
+        write_text(output, page if ending == ".html" else svg.decode())
+    typer.echo(f"figure: {output}, {len(shown.rows)} members")
 
 
 @contextmanager

@@ -19,7 +19,7 @@ import typer
 from rich.console import Console
 
 import cuspaudit
-from cuspaudit.cli.families import sweep
+from cuspaudit.cli.families import Colour, Fix, X, Y, plot_family, sweep
 from cuspaudit.cli.plot import At, plot_robot
 from cuspaudit.cli.summary import print_summary, print_understood
 from cuspaudit.errors import CuspauditError, InvalidInputError
@@ -267,8 +267,19 @@ def plot(
     tip: Tip = None,
     task: TaskName = None,
     at: At = None,
+    x: X = None,
+    y: Y = None,
+    colour: Colour = "verdict",
+    fix: Fix = None,
 ) -> None:
-    """Draw the critical values and the aspects of an arm that three joints decide."""
+    """Draw an arm that three joints decide, or the phase diagram of a sweep's DIR.
+
+    Of an arm: the critical values and the aspects. Of a sweep: two parameters, with
+    verdict or a count as colour; `cuspaudit plot DIR -o phases.html --fix d2=1`.
+    """
+    if Path(robot).is_dir():
+        plot_family(Path(robot), output, x=x, y=y, colour=colour, fix=fix)
+        return
     plot_robot(robot, output, base=base, tip=tip, task=task, at=at)
 
 
