@@ -1,5 +1,6 @@
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pytest
@@ -32,6 +33,30 @@ def test_example_robots_open_by_name() -> None:
     meshes = [v for v in visuals(robot, [share]) if v.kind == "mesh"]
     assert meshes
     assert all(v.path is not None for v in meshes)
+
+
+def test_every_example_with_a_moving_chain_imports() -> None:
+    """A URDF of example-robot-data imports, by a tip out of those it lists if many."""
+    empty = {"iris_simple", "quadrotor_base", "ur3"}
+    for name, path in library():
+        if path.suffix != ".urdf" or name in empty:
+            continue
+        try:
+            robot = open_robot(path, square=False)
+        except InvalidRobotError as error:
+            tips = re.search(r'possible tips: "([^"]+)"', str(error))
+            assert tips is not None, name
+            robot = open_robot(path, tip=tips[1], square=False)
+        assert robot.chain.joints, name
+
+
+@pytest.mark.parametrize(
+    ("name", "tip", "joints"),
+    [("ur3_robot", None, 6), ("panda", "panda_hand", 7), ("z1", None, 7)],
+)
+def test_serial_arms_of_the_examples(name: str, tip: str | None, joints: int) -> None:
+    """The arms of example-robot-data open by name; a hand makes the tip a choice."""
+    assert len(open_robot(name, tip=tip, square=False).chain.joints) == joints
 
 
 def test_a_path_opens(tmp_path: Path) -> None:
