@@ -300,9 +300,6 @@ def import_(
         ),
     ] = None,
     snap: Snap = "default",
-    literal: Annotated[
-        bool, typer.Option("--literal", help="The same as --snap none.")
-    ] = False,
     as_json: Annotated[bool, typer.Option("--json", help="Print as JSON.")] = False,
     names: Annotated[
         bool, typer.Option("--list", help="List the robots known by name.")
@@ -332,7 +329,7 @@ def import_(
     from cuspaudit.kinematics.export import msolve_system, poly_text
     from cuspaudit.kinematics.snap_policy import policy_from_name
 
-    policy = policy_from_name("none" if literal else snap)
+    policy = policy_from_name(snap)
     chain = snap_chain(opened.chain, policy)[0]
     if to is Form.dh:
         numbers = "as in the file" if policy.name == "none" else "snapped"

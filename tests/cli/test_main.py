@@ -117,6 +117,8 @@ def test_show_writes_the_page_of_a_saved_audit(
         (["check", "no-such-folder"], "no-such-folder"),
         (["show", "no-such.json"], "no-such.json"),
         (["import"], "--list"),
+        (["audit", "ur5_robot", "--snap", "loose"], "give --snap none, default or"),
+        (["import", "arm.xacro"], "xacro FILE > robot.urdf"),
     ],
 )
 def test_bad_input_gives_one_line_and_exit_code_2(
@@ -186,6 +188,26 @@ def test_import_writes_a_robot_file(
         [],
     )
     assert record["robot"]["source"] == "ur5_robot.urdf, numbers snapped"
+
+
+def test_snapping_is_chosen_by_one_option(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """`--snap` takes none, default or a file; a saved audit is shown with its own."""
+    saved, policy = tmp_path / "a.json", tmp_path / "exact.yaml"
+    policy.write_text("printed: false\nangle: 0\nlength: 0\naxis: 0\n")
+    for chosen in ("none", policy):
+        run("audit", "ur5_robot", "--snap", chosen, "--json", saved, capsys=capsys)
+        robot = json.loads(saved.read_text())["robot"]
+        assert robot["snap_policy"]["name"] == str(chosen)
+        assert robot["snapped"] == []
+    status, _, _ = run("show", saved, "--html", tmp_path / "a.html", capsys=capsys)
+    assert status == 0
+    _, literal, _ = run(
+        *("import", "ur5_robot", "--to", "dh", "--snap", "none"), capsys=capsys
+    )
+    assert "numbers as in the file" in literal
+    assert "1.57079632679 rad" in literal
 
 
 def test_check_compares_with_the_recorded_verdict(
