@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from cuspaudit.cuspidality.decision import Decision, decide
 from cuspaudit.cuspidality.verdict import Verdict
-from cuspaudit.errors import DegenerateMapError, UnableError
+from cuspaudit.errors import DegenerateMapError, RetryableError, UnableError
 from cuspaudit.geometry.cusps import Count, cusps
 from cuspaudit.geometry.nodes import nodes
 from cuspaudit.kinematics.exact_model import ExactModel
@@ -85,6 +85,9 @@ def answer(model: ExactModel, progress: Progress = lambda step: None) -> Answer:
         return _six_joints(model, progress)
     except UnableError as limit:
         return _undecided(model, limit.step, str(limit), (), "a more general engine")
+    except RetryableError as unlucky:
+        settle = "more bits, or another chart"
+        return _undecided(model, "precision", str(unlucky), (), settle)
 
 
 def _three_joints(model: ExactModel, progress: Progress) -> Answer:

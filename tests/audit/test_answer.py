@@ -5,7 +5,7 @@ from short_tables import Number, arm, ask, numbers, with_wrist
 
 from cuspaudit.audit.answer import answer
 from cuspaudit.cuspidality.verdict import Verdict
-from cuspaudit.errors import DegenerateMapError, UnableError
+from cuspaudit.errors import DegenerateMapError, PrecisionError, UnableError
 from cuspaudit.kinematics.exact_model import exact_model
 
 Row = tuple[Number, ...]
@@ -89,6 +89,20 @@ def test_a_limit_is_undecided_and_named() -> None:
     assert found.undecided is not None
     assert found.undecided.step == "sample_points"
     assert "out of time" in found.why
+
+
+def test_too_few_bits_are_undecided() -> None:
+    """A question that no precision settled makes the answer UNDECIDED."""
+
+    def stop(step: str) -> None:
+        if step == "graph_isotop":
+            raise PrecisionError("strip of a posture", 4096)
+
+    found = answer(exact_model(arm((1, 2, "3/2"), (0, 1, 0), (-90, 90, 0))), stop)
+    assert found.verdict is Verdict.UNDECIDED
+    assert found.undecided is not None
+    assert found.undecided.step == "precision"
+    assert "4096 bits" in found.why
 
 
 def test_progress_names_the_paper_s_routines() -> None:
