@@ -6,8 +6,8 @@ from math import sqrt
 from pathlib import Path
 from typing import Any
 
-import families
 import pytest
+import small_families as families
 
 from cuspaudit.audit.adaptive import waves
 from cuspaudit.audit.sweep import sweep

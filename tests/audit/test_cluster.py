@@ -8,9 +8,9 @@ import time
 from collections.abc import Iterator
 from pathlib import Path
 
-import families
 import psutil
 import pytest
+import small_families as families
 
 from cuspaudit.audit.sweep import sweep
 from cuspaudit.errors import InvalidInputError

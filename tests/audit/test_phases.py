@@ -3,8 +3,8 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-import families
 import pytest
+import small_families as families
 
 from cuspaudit.audit.phases import phases_of
 from cuspaudit.audit.sweep import sweep

@@ -11,10 +11,10 @@ import time
 from collections.abc import Callable
 from pathlib import Path
 
-import families
 import psutil
 import pyarrow.parquet as pq
 import pytest
+import small_families as families
 
 from cuspaudit.audit.member import decide_member
 from cuspaudit.audit.pool import LocalPool
