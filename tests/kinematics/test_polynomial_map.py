@@ -126,7 +126,7 @@ def test_det_j_of_the_crx_is_small() -> None:
 
 
 def test_det_j_of_a_wrist_is_a_product() -> None:
-    """The determinant of an arm with a spherical wrist is that of its 3R arm times sin theta5."""
+    """The determinant of an arm with a wrist is that of its 3R arm times sin theta5."""
     chain = arm((1, 2, "3/2"), (0, 1, 0), (-90, 90, 0))
     model = exact_model(with_wrist(chain))
     whole = jacobian_determinant(model)
