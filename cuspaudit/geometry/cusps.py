@@ -16,13 +16,13 @@ K_i = X_i^2 - Y_i^2 D: which sign vanishes follows from the exact signs of X_i, 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from cuspaudit.algebra.ring import Polynomial, Ring
 from cuspaudit.algebra.system import PolynomialMap
 from cuspaudit.algebra.univariate import RealRoot, Univariate, real_roots
 from cuspaudit.geometry.roadmap import Roadmap
-from cuspaudit.geometry.surface import Factor, Surface
+from cuspaudit.geometry.surface import ROTATIONS, Factor, Surface
 
 __all__ = ["Count", "cusps"]
 
@@ -73,11 +73,12 @@ def cusps(road: Roadmap, mapping: PolynomialMap, delta: Polynomial) -> Count:
     image has no cusp of this kind), and no cusp can lie on a fiber that is critical
     as a whole.
     """
-    surface = road.surface
-    is_line = surface.fiber.kind == "line"
+    is_line = road.surface.fiber.kind == "line"
+    surface = _without_cusp_at_infinity(road.surface, delta, mapping)
+    if surface is None:
+        return Count(0, False)
     change, branches = _on_critical_curve(surface, delta, mapping)
-    branches = [branch for branch in branches if not branch.norm.is_zero]
-    if not branches or change.is_zero:
+    if change.is_zero or any(branch.norm.is_zero for branch in branches):
         return Count(0, False)
     total, proved = 0, _walls_have_no_cusp(road, mapping)
     for root in real_roots(branches[0].norm):
@@ -93,6 +94,28 @@ def cusps(road: Roadmap, mapping: PolynomialMap, delta: Polynomial) -> Count:
         total += number
         proved = proved and number in (0, order)
     return Count(total, proved)
+
+
+def _without_cusp_at_infinity(
+    surface: Surface, delta: Polynomial, mapping: PolynomialMap
+) -> Surface | None:
+    """The surface with a chart of the base whose missing point carries no cusp.
+
+    Whether one lies there is seen in the chart that is given, where the missing point
+    of any other chart has a rational coordinate.
+    """
+    if surface.base.kind == "line":
+        return surface
+    _, branches = _on_critical_curve(surface, delta, mapping)
+    c, s = surface.base.rotation
+    for rotation in ROTATIONS:
+        cosine = -(rotation[0] * c + rotation[1] * s)
+        sine = rotation[0] * s - rotation[1] * c
+        if cosine != -1:
+            missing = sine / (1 + cosine)
+            if any(branch.norm.sign(missing) != 0 for branch in branches):
+                return replace(surface, base=replace(surface.base, rotation=rotation))
+    return None
 
 
 def _on_critical_curve(

@@ -1,10 +1,13 @@
 from __future__ import annotations
 
 import pytest
+from flint import fmpq
+from short_tables import Number
 from surfaces import Build, arm_map, cylinder, decided, plane, torus
 
 from cuspaudit.algebra.system import PolynomialMap, PolynomialSystem
 from cuspaudit.geometry.cusps import Count, cusps
+from cuspaudit.geometry.surface import ROTATIONS
 
 Pair = tuple[PolynomialSystem, PolynomialMap]
 
@@ -89,3 +92,36 @@ def test_walls_are_looked_at() -> None:
     # over s3 = 0 the fiber is critical, and its image is an ellipse
     ellipse = torus(lambda c2, s2, c3, s3: (c2 * (2 + c3), s2 * (2 + c3)))
     assert count(ellipse).count == 0
+
+
+@pytest.mark.parametrize(
+    ("a2", "a3", "d2"), [(2, 1, 1), ("5/2", 2, "1/2"), ("5/4", 1, "1/2"), (10, 2, 2)]
+)
+def test_a_cusp_at_theta3_180_degrees_is_counted(
+    a2: Number, a3: Number, d2: Number
+) -> None:
+    """With a2 = a3 (1 + d2^2) two of the four cusps stand where a chart has no point.
+
+    There theta2 = +-90 degrees; on the critical curve k . grad Delta is a multiple of
+    a2 - a3 (1 + d2^2).
+    """
+    assert count(arm_map((1, a2, a3), (0, d2, 0), (-90, 90, 0))) == Count(4, True)
+
+
+def test_no_chart_hides_a_cusp() -> None:
+    """The Whitney cusp of a torus, turned so that it stands at any special angle."""
+    wanted = count(turned_cusp(fmpq(1), fmpq(0)))
+    assert wanted.count > 0
+    for c, s in ROTATIONS:
+        for cosine, sine in ((c, s), (-c, -s), (-s, c)):
+            assert count(turned_cusp(cosine, sine)) == wanted
+
+
+def turned_cusp(cosine: fmpq, sine: fmpq) -> Pair:
+    """The ISSAC-like arm with a cusp at theta3 = 180 degrees, its zero turned."""
+    variety, mapping = arm_map((1, 2, 1), (0, 1, 0), (-90, 90, 0))
+    ring = variety.ring
+    c2, s2, c3, s3 = ring.gens
+    place = (c2, s2, cosine * c3 - sine * s3, sine * c3 + cosine * s3)
+    components = (r.compose(*place, ctx=ring.context) for r in mapping.components)
+    return variety, PolynomialMap(ring, tuple(components))
