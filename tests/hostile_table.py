@@ -68,10 +68,8 @@ def examine(path: Path, expected: str) -> Row:
     word = "import" if "OK" in expected else "audit"
     command = [word, str(path), *OPTIONS.get(path.suffix, ())]
     with tempfile.TemporaryDirectory() as folder:
-        out, err, status, usage, touched = _run(command, Path(folder))
+        out, err, status, seconds, (peak, touched) = _run(command, Path(folder))
         touched += [f"wrote {name}" for name in os.listdir(folder)]
-    seconds = usage.ru_utime + usage.ru_stime
-    peak = usage.ru_maxrss / (2**20 if sys.platform == "darwin" else 2**10)
     noted = any(_is_note(line) for line in out)
     answer = {0: "OK + note" if noted else "OK", 2: "REFUSED"}.get(
         status, f"exit code {status}"
@@ -109,8 +107,8 @@ def _fits(answer: str, expected: str) -> bool:
 
 def _run(
     command: Sequence[str], folder: Path
-) -> tuple[list[str], list[str], int, resource.struct_rusage, list[str]]:
-    """Output and error lines, exit code, resources used, and what was touched."""
+) -> tuple[list[str], list[str], int, float, tuple[float, list[str]]]:
+    """Output and error lines, exit code, processor time, and the child's own report."""
     reader, writer = os.pipe()
     environment = {**os.environ, "OPENBLAS_NUM_THREADS": "1", "COLUMNS": "200"}
     process = subprocess.Popen(
@@ -133,13 +131,14 @@ def _run(
         time.sleep(0.01)
     process.returncode = os.waitstatus_to_exitcode(status)
     with os.fdopen(reader) as stream:
-        touched = json.loads(stream.read() or "[]")
+        peak, touched = json.loads(stream.read() or "[0, []]")
+    seconds = usage.ru_utime + usage.ru_stime
     lines = []
     for ending in (".out", ".err"):
         file = folder.parent / f"{folder.name}{ending}"
         lines.append(file.read_text(errors="replace").splitlines())
         file.unlink()
-    return lines[0], lines[1], process.returncode, usage, touched
+    return lines[0], lines[1], process.returncode, seconds, (peak, touched)
 
 
 def _child(descriptor: int, command: Sequence[str]) -> None:
@@ -173,7 +172,20 @@ def _child(descriptor: int, command: Sequence[str]) -> None:
     try:
         main()
     finally:
-        os.write(descriptor, json.dumps(sorted(set(touched))).encode())
+        seen = sorted(set(touched))
+        os.write(descriptor, json.dumps([_peak_megabytes(), seen]).encode())
+
+
+def _peak_megabytes() -> float:
+    """The peak resident size of this process since it began its own program.
+
+    A child's ru_maxrss starts from its parent's, which may be a large test process.
+    """
+    status = Path("/proc/self/status")
+    if status.exists():
+        line = next(x for x in status.read_text().splitlines() if "VmHWM" in x)
+        return int(line.split()[1]) / 2**10
+    return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 2**20
 
 
 def table(corpus: Path, names: Sequence[str] = (), workers: int = 1) -> list[Row]:

@@ -140,6 +140,7 @@ def _six_joints(model: ExactModel, progress: Progress) -> Answer:
             reduction.why,
             ("exact tests of the hypotheses",),
             reduction,
+            aspects=Count(reduction.aspects, True) if reduction.aspects else None,
         )
     regional = _three_joints(reduction.regional, progress)
     assert regional.decision is not None

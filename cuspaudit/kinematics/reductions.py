@@ -35,6 +35,7 @@ class Reduction:
         why: what it says of this arm, one sentence.
         regional: the three-joint arm that decides, or None when the theorem says
             noncuspidal by itself.
+        aspects: the number of aspects, where the theorem gives it.
         is_reversed: whether ``regional`` belongs to the arm taken from tip to base.
     """
 
@@ -42,6 +43,7 @@ class Reduction:
     why: str
     regional: ExactModel | None = None
     is_reversed: bool = False
+    aspects: int | None = None
 
 
 def reduce_six_joints(model: ExactModel) -> Reduction | None:
@@ -125,6 +127,14 @@ def _ur_pattern(model: ExactModel) -> Reduction | None:
     s3 fixes. So a nonsingular posture is known from its pose and three signs, which
     are constant along a nonsingular path: two postures of one pose in one aspect are
     equal [Capco, Safey El Din, Schicho, ISSAC 2020].
+
+    The eight sign triples are the aspects: each is connected. s5 depends on theta5
+    alone. With rho = |a2 + a3 e^(i theta3)|, x = theta2 shifted by the argument of
+    that number, and y = theta2 + theta3 + theta4, E = rho cos x + d5 sin y, and rho is
+    not 0 where s3 is not. Over each theta3 with s3 > 0 the set E > 0 is connected (for
+    every y, or for every x if |d5| is the larger, one arc, never empty for all), and
+    it contains the point where both terms are largest, which moves continuously.
+    (d5 = 0 does not occur here: axes 4, 5, 6 would meet, a spherical wrist.)
     """
     parallel = _parallel(model, 2) and _parallel(model, 3)
     square = all(_orthogonal(model, i) and _meet(model, i) for i in (1, 4, 5))
@@ -134,6 +144,7 @@ def _ur_pattern(model: ExactModel) -> Reduction | None:
         "UR pattern",
         "axes 2, 3, 4 are parallel and axes 1-2, 4-5, 5-6 meet at right angles: the "
         "signs of the three factors of det J tell all postures of a pose apart",
+        aspects=8,
     )
 
 

@@ -165,7 +165,7 @@ def test_all_nine_types_are_met() -> None:
 
 
 def test_the_ur_pattern_is_noncuspidal_by_theorem(tmp_path: Path) -> None:
-    """Ten arms of the UR pattern: noncuspidal; their 8 aspects are not counted yet."""
+    """Ten arms of the UR pattern: noncuspidal by theorem, with 8 aspects each."""
     file = tmp_path / "family.yaml"
     file.write_text(UR_PATTERN)
     family = read_family(file)
@@ -174,4 +174,4 @@ def test_the_ur_pattern_is_noncuspidal_by_theorem(tmp_path: Path) -> None:
     assert {(row["verdict"], row["proof"]) for row in rows} == {
         ("noncuspidal", "reduction")
     }
-    assert {row["aspects"] for row in rows} == {None}
+    assert {row["aspects"] for row in rows} == {8}

@@ -137,3 +137,31 @@ def test_what_is_looked_for_is_listed() -> None:
     """One line a structure."""
     assert len(LOOKED_FOR) == 3
     assert "UR pattern" in LOOKED_FOR[2]
+
+
+def test_the_eight_aspects_of_the_ur_pattern_stand_a_flood_fill() -> None:
+    """On a grid of (theta2, theta3, theta4) the UR5's s3 E has four components."""
+    a2, a3, d5 = -0.425, -0.39225, 0.09465
+    angles = (np.arange(48) + 0.5) * 2 * np.pi / 48
+    t2, t3, t4 = np.meshgrid(angles, angles, angles, indexing="ij")
+    reach = a2 * np.cos(t2) + a3 * np.cos(t2 + t3) + d5 * np.sin(t2 + t3 + t4)
+    left = (np.sin(t3) > 0) * 2 + (reach > 0)
+    seen = np.zeros(left.shape, dtype=bool)
+    components = 0
+    for start in np.ndindex(*left.shape):
+        if seen[start]:
+            continue
+        components += 1
+        seen[start] = True
+        todo = [start]
+        while todo:
+            cell = todo.pop()
+            for axis in range(3):
+                for step in (1, -1):
+                    near = list(cell)
+                    near[axis] = (near[axis] + step) % 48
+                    index = tuple(near)
+                    if not seen[index] and left[index] == left[cell]:
+                        seen[index] = True
+                        todo.append(index)
+    assert components == 4
