@@ -40,11 +40,13 @@ OWNERS = {
 
 
 def room_of(path: Path) -> str:
+    """The room of a module: its folder, or its own name."""
     parts = path.relative_to(ROOT).parts
     return parts[0] if len(parts) > 1 else path.stem
 
 
 def imports(path: Path) -> set[str]:
+    """Everything a module imports, type-only imports too."""
     found = set()
     for node in ast.walk(ast.parse(path.read_text())):
         if isinstance(node, ast.Import):
