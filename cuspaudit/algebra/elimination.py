@@ -9,14 +9,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from math import lcm
-from typing import Any
 
-import sympy
 from flint import Ordering, fmpq, fmpz, fmpz_mpoly, fmpz_mpoly_ctx, fmpz_poly
 
 from cuspaudit.algebra.interpolation import Row, interpolated_discriminant
 from cuspaudit.algebra.ring import Polynomial, Ring
-from cuspaudit.algebra.univariate import Univariate
 
 __all__ = [
     "discriminant",
@@ -80,7 +77,9 @@ def primitive_part(
         for coefficient in coefficients[1:]:
             content = content.gcd(coefficient)
     else:
-        content = _field_gcd(ring, coefficients, name)
+        from cuspaudit.algebra.field_gcd import field_gcd  # sympy: half a second
+
+        content = field_gcd(ring, coefficients, name)
     return exact_quotient(ring, p, content)
 
 
@@ -142,31 +141,3 @@ def _over_z(ring: Ring, p: Polynomial) -> fmpz_mpoly:
     terms = p.to_dict()
     common = lcm(*(int(coefficient.q) for coefficient in terms.values()))
     return context.from_dict({e: (c * common).p for e, c in terms.items()})
-
-
-def _field_gcd(ring: Ring, polynomials: Sequence[Polynomial], name: str) -> Polynomial:
-    """The monic gcd in K[name] of polynomials in ``name`` alone."""
-    field = sympy.QQ.algebraic_field(sympy.sqrt(ring.radicand))
-    t = sympy.Symbol("t")
-    result = sympy.Poly(0, t, domain=field)
-    for p in polynomials:
-        pair = Univariate.from_polynomial(ring, p, name)
-        dense = [
-            field([_sympy(pair.surd[i]), _sympy(pair.rational[i])])
-            for i in reversed(range(pair.degree + 1))
-        ]
-        result = sympy.gcd(result, sympy.Poly.from_list(dense, t, domain=field))
-    total = ring.constant(0)
-    for power, number in enumerate(reversed(result.rep.to_list())):
-        surd, plain = [0, 0, *number.to_list()][-2:]
-        value = ring.constant(_rational(plain)) + ring.surd * _rational(surd)
-        total += value * ring.gen(name) ** power
-    return total
-
-
-def _sympy(number: fmpq) -> Any:
-    return sympy.QQ(int(number.p), int(number.q))
-
-
-def _rational(number: Any) -> fmpq:
-    return fmpq(int(number.numerator), int(number.denominator))
