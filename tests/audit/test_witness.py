@@ -1,13 +1,15 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import cache
 
 import numpy as np
 import pytest
 from short_tables import Number, arm, ask, degrees, with_wrist
 
 from cuspaudit.audit import witness as module
-from cuspaudit.audit.witness import certificate_of, find_witness
+from cuspaudit.audit.answer import Answer
+from cuspaudit.audit.witness import Witness, certificate_of, find_witness
 from cuspaudit.certificate import (
     certificate_from_text,
     text_from_certificate,
@@ -34,11 +36,23 @@ CUSPIDAL: dict[str, Chain] = {
 }
 
 
+@cache
+def asked(name: str) -> Answer:
+    """The answer for an arm of the list."""
+    return ask(CUSPIDAL[name])
+
+
+@cache
+def witness_of(name: str) -> Witness:
+    """Its witness."""
+    return find_witness(asked(name), CUSPIDAL[name])
+
+
 @pytest.mark.parametrize("name", CUSPIDAL)
 def test_every_cuspidal_answer_has_its_certificate(name: str) -> None:
     """The certificate verifies, also after being written and read."""
     chain = CUSPIDAL[name]
-    found = find_witness(ask(chain), chain)
+    found = witness_of(name)
     assert found.verification.accepted
     again = certificate_from_text(text_from_certificate(found.certificate), "test")
     assert verify(again).accepted
@@ -52,7 +66,7 @@ def test_every_cuspidal_answer_has_its_certificate(name: str) -> None:
 def test_a_witness_is_what_it_says(name: str) -> None:
     """One pose at both ends, different postures, one sign along a dense sample."""
     chain = CUSPIDAL[name]
-    found = find_witness(ask(chain), chain)
+    found = witness_of(name)
     first, last = (frames(chain, q)[-1] for q in found.path[[0, -1]])
     moved = (
         np.abs(first - last) if chain.task == "pose" else np.abs((first - last)[:, 3])
@@ -99,12 +113,12 @@ def test_a_witness_for_another_arm_is_refused() -> None:
     """For an arm on which the couples are none, nothing is proved."""
     other = arm((1, ".5", ".8"), (0, ".2", 0), (-90, 90, 0))
     with pytest.raises(UnableError, match="no path could be proved"):
-        find_witness(ask(CUSPIDAL["ISSAC"]), other)
+        find_witness(asked("ISSAC"), other)
 
 
 def test_unlucky_paths_are_passed_over(monkeypatch: pytest.MonkeyPatch) -> None:
     """A path that does not close is followed by the next; none left is UnableError."""
-    found, real = ask(CUSPIDAL["ISSAC"]), module.close
+    found, real = asked("ISSAC"), module.close
     calls: list[int] = []
 
     def once(chain: Chain, path: np.ndarray) -> np.ndarray:
@@ -134,7 +148,7 @@ def test_a_wrist_without_luck(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(module, "lift_wrist", never)
     for name in ("wrist", "shoulder"):
         with pytest.raises(UnableError, match="no path was proposed"):
-            find_witness(ask(CUSPIDAL[name]), CUSPIDAL[name])
+            find_witness(asked(name), CUSPIDAL[name])
 
 
 def test_the_tool_s_orientation_leaves_the_clearance() -> None:

@@ -51,6 +51,10 @@ turns = st.builds(
 motions = st.lists(vectors | turns, max_size=3).map(tuple)
 
 
+#: one example costs two decisions and often two certificates
+few = settings(max_examples=6)
+
+
 def chain_of(table: Table) -> Chain:
     """The arm of a table."""
     a, d, alpha, theta, joints = table
@@ -107,12 +111,14 @@ def scaled(motion: Motion, factor: Fraction) -> Motion:
     return Translation((factor * x, factor * y, factor * z))
 
 
+@few
 @given(tables)
 def test_the_mirror_image(table: Table) -> None:
     """An arm and its mirror image have the same answer."""
     check_same(chain_of(table), mirror(chain_of(table)))
 
 
+@few
 @given(tables, st.sampled_from((Fraction(1, 1000), Fraction(3, 7), Fraction(40))))
 def test_the_scale(table: Table, factor: Fraction) -> None:
     """Lengths in another unit change nothing."""
@@ -125,6 +131,7 @@ def test_the_scale(table: Table, factor: Fraction) -> None:
     check_same(chain, replace(chain, joints=joints, tool=tool))
 
 
+@few
 @given(tables, motions)
 def test_the_base(table: Table, base: tuple[Motion, ...]) -> None:
     """The arm may be mounted anywhere, turned any way."""
@@ -134,6 +141,7 @@ def test_the_base(table: Table, base: tuple[Motion, ...]) -> None:
     check_same(chain, chain.with_joints((moved, *chain.joints[1:])))
 
 
+@few
 @given(tables, st.lists(turns, max_size=2).map(tuple))
 def test_the_tool_s_orientation(table: Table, tool: tuple[Motion, ...]) -> None:
     """For a position task the tool may be turned about its point."""
@@ -141,6 +149,7 @@ def test_the_tool_s_orientation(table: Table, tool: tuple[Motion, ...]) -> None:
     check_same(chain, replace(chain, tool=chain.tool + tool))
 
 
+@few
 @given(tables, offsets)
 def test_d1(table: Table, d1: Fraction) -> None:
     """The height of the shoulder above the base changes nothing."""
@@ -148,6 +157,7 @@ def test_d1(table: Table, d1: Fraction) -> None:
     check_same(chain_of(table), arm(a, (d1, *d[1:]), alpha, joints, theta))
 
 
+@few
 @given(tables, st.tuples(*[st.booleans()] * 3))
 def test_the_sense_of_the_joints(table: Table, turned: tuple[bool, ...]) -> None:
     """A joint whose variable counts the other way changes nothing."""
@@ -159,8 +169,8 @@ def test_the_sense_of_the_joints(table: Table, turned: tuple[bool, ...]) -> None
     check_same(chain, chain.with_joints(joints))
 
 
+@few
 @given(tables, st.tuples(*[st.sampled_from((0, 30, 45, 90, -60))] * 3))
-@settings(max_examples=8)
 def test_the_zeros_of_the_joints(table: Table, zeros: tuple[int, ...]) -> None:
     """Where a turning joint counts from changes nothing, even by irrational cosines."""
     chain = chain_of(table)
@@ -173,6 +183,7 @@ def test_the_zeros_of_the_joints(table: Table, zeros: tuple[int, ...]) -> None:
     check_same(chain, chain.with_joints(joints))
 
 
+@few
 @given(tables)
 def test_the_other_convention(table: Table) -> None:
     """The arm written in modified D-H, alpha and a one row later, is the same arm."""
@@ -182,6 +193,7 @@ def test_the_other_convention(table: Table) -> None:
     check_same(chain_of(table), replace(other, tool=other.tool + tool))
 
 
+@few
 @given(tables)
 def test_the_joints_names(table: Table) -> None:
     """Names are labels."""

@@ -46,8 +46,8 @@ def newton_postures(pair: Pair, value: tuple[float, float]) -> list[np.ndarray]:
         points = np.stack(columns, axis=1)
         return numeric_values(variety.ring, mapping.components, points) - value
 
-    q = np.array(list(itertools.product(np.linspace(-3, 3, 30), repeat=2)))
-    for _ in range(40):
+    q = np.array(list(itertools.product(np.linspace(-3, 3, 16), repeat=2)))
+    for _ in range(30):
         error, steps = residual(q), 1e-6 * np.eye(2)
         J = np.stack(
             [(residual(q + e) - residual(q - e)) / 2e-6 for e in steps], axis=2
