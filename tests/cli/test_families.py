@@ -100,6 +100,8 @@ def test_interrupt_keeps_the_rows(
         [sys.executable, "-m", "cuspaudit", "sweep", str(file), "-o", str(out)],
         stderr=subprocess.PIPE,
         text=True,
+        # a background shell hands down an ignored SIGINT
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
     )
     journal, until = out / "journal.jsonl", time.monotonic() + 60
     while time.monotonic() < until and process.poll() is None:

@@ -242,7 +242,11 @@ def test_interrupt_leaves_no_file(tmp_path: Path) -> None:
     page = tmp_path / "a.html"
     command = ["-m", "cuspaudit", "audit", "ark-2022-3r", "--html", str(page)]
     process = subprocess.Popen(
-        [sys.executable, *command], stderr=subprocess.PIPE, text=True
+        [sys.executable, *command],
+        stderr=subprocess.PIPE,
+        text=True,
+        # a background shell hands down an ignored SIGINT
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
     )
     time.sleep(1.0)
     process.send_signal(signal.SIGINT)
