@@ -193,6 +193,19 @@ def test_without_a_proved_path_there_is_no_verdict(
     jsonschema.validate(json.loads(json.dumps(record)), _schema())
 
 
+def test_a_couple_made_by_rounding_is_no_verdict() -> None:
+    """Twists of 45 and 30 degrees fit no one field: couples 1e-15 high stay undecided.
+
+    The model, 1e-12 rad beside the arm, opens crossings of the singular curve by a
+    hair; Algorithm 1 is right about the model, and no path of the arm can be proved.
+    """
+    chain = arm((0, 1, 2), (0, -2, 0), (45, 30, -90), "PRR")
+    record = audit(Robot("hair", "hair.yaml", chain)).record()
+    assert record["verdict"] == "undecided"
+    assert record["undecided"]["step"] == "certificate"
+    assert record["robot"]["exact"] is False
+
+
 def test_an_approximated_model_says_so() -> None:
     """An angle that no field holds: noncuspidal for the model, undecided as written."""
     robot = robot_of((1, ".2", 2), (0, 1, 0), (-60, "99.98", 0))
