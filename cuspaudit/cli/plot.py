@@ -1,4 +1,4 @@
-"""`cuspaudit plot`: the figures of an arm that three joints decide."""
+"""`cuspaudit plot`: the figures of an arm that three joints decide, or of a sweep."""
 
 from __future__ import annotations
 
@@ -8,9 +8,11 @@ from typing import Annotated
 
 import typer
 
+from cuspaudit.cli.families import Colour, Fix, X, Y, plot_family
+from cuspaudit.cli.options import Base, RobotName, TaskName, Tip
 from cuspaudit.errors import InvalidInputError
 
-__all__ = ["plot_robot"]
+__all__ = ["plot"]
 
 At = Annotated[
     str | None,
@@ -20,7 +22,32 @@ At = Annotated[
 ]
 
 
-def plot_robot(
+def plot(
+    robot: RobotName,
+    output: Annotated[
+        Path, typer.Option("-o", "--output", help="A .png, .svg or .html file.")
+    ],
+    base: Base = None,
+    tip: Tip = None,
+    task: TaskName = None,
+    at: At = None,
+    x: X = None,
+    y: Y = None,
+    colour: Colour = "verdict",
+    fix: Fix = None,
+) -> None:
+    """Draw an arm that three joints decide, or the phase diagram of a sweep's DIR.
+
+    Of an arm: the critical values and the aspects. Of a sweep: two parameters, with
+    verdict or a count as colour; `cuspaudit plot DIR -o phases.html --fix d2=1`.
+    """
+    if Path(robot).is_dir():
+        plot_family(Path(robot), output, x=x, y=y, colour=colour, fix=fix)
+    else:
+        _plot_robot(robot, output, base=base, tip=tip, task=task, at=at)
+
+
+def _plot_robot(
     robot: str,
     output: Path,
     *,

@@ -1,0 +1,92 @@
+"""`cuspaudit audit`: import, decide, certify, cross-check and report."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from cuspaudit.cli.opening import open_named
+from cuspaudit.cli.options import (
+    AngleUnit,
+    Base,
+    Convention,
+    Engine,
+    EngineName,
+    Lock,
+    RobotName,
+    Seed,
+    Snap,
+    TaskName,
+    Timeout,
+    Tip,
+)
+from cuspaudit.cli.running import certificate_text, page_text, run_audit
+from cuspaudit.cli.summary import print_summary
+
+__all__ = ["audit"]
+
+EXIT = {"noncuspidal": 0, "cuspidal": 1, "undecided": 3}
+
+
+def audit(
+    robot: RobotName,
+    base: Base = None,
+    tip: Tip = None,
+    task: TaskName = None,
+    lock: Lock = None,
+    convention: Convention = None,
+    angle_unit: AngleUnit = None,
+    json_file: Annotated[
+        str | None,
+        typer.Option("--json", metavar="FILE", help="Write the audit; - is stdout."),
+    ] = None,
+    html: Annotated[
+        Path | None, typer.Option(help="Write an offline page with the animation.")
+    ] = None,
+    certificate: Annotated[
+        Path | None,
+        typer.Option(
+            help="Write the proof: the certificate of a cuspidal verdict, else the "
+            "record of the exact run."
+        ),
+    ] = None,
+    engine: EngineName = Engine.auto,
+    snap: Snap = "default",
+    seed: Seed = 0,
+    timeout: Timeout = None,
+    exit_zero: Annotated[
+        bool, typer.Option("--exit-zero", help="Exit 0 whatever the verdict.")
+    ] = False,
+) -> None:
+    """Import, decide, certify, cross-check and report: the main job."""
+    del engine
+    from cuspaudit.audit.proof_record import proof_record
+    from cuspaudit.audit.writing import check_writable, write_text
+
+    files = [f for f in (html, certificate) if f is not None]
+    if json_file not in (None, "-"):
+        files.append(Path(json_file or ""))
+    for file in files:
+        check_writable(file)
+    opened, locked = open_named(robot, base, tip, task, lock, convention, angle_unit)
+    result = run_audit(opened, locked, seed, timeout, snap)
+    proof = certificate_text(result)
+    written = str(certificate) if certificate and proof else None
+    record = result.record(written)
+    if certificate:
+        write_text(certificate, proof or proof_record(result.answer))
+    if html:
+        write_text(html, page_text(record, result, proof))
+    if json_file == "-":
+        typer.echo(json.dumps(record, indent=1, allow_nan=False))
+    else:
+        if json_file:
+            write_text(Path(json_file), json.dumps(record, indent=1, allow_nan=False))
+        kept = {"page": html, "certificate": written, "JSON": json_file}
+        if certificate and not proof:
+            kept["record of the run"] = str(certificate)
+        print_summary(record, kept)
+    raise typer.Exit(0 if exit_zero else EXIT[record["verdict"]])

@@ -1,0 +1,112 @@
+"""`cuspaudit import`: what was understood of a robot, or its model in another form."""
+
+from __future__ import annotations
+
+import json
+from enum import StrEnum
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from cuspaudit.cli.opening import open_named
+from cuspaudit.cli.options import (
+    AngleUnit,
+    Base,
+    Convention,
+    Lock,
+    Seed,
+    Snap,
+    TaskName,
+    Tip,
+)
+from cuspaudit.cli.summary import print_understood
+from cuspaudit.errors import InvalidInputError
+
+if TYPE_CHECKING:
+    from cuspaudit.kinematics.robot import Robot
+    from cuspaudit.kinematics.snap_policy import SnapPolicy
+
+__all__ = ["import_"]
+
+
+class Form(StrEnum):
+    """What `import` can write."""
+
+    dh = "dh"
+    poly = "poly"
+    msolve = "msolve"
+
+
+def import_(
+    robot: Annotated[str | None, typer.Argument(metavar="ROBOT")] = None,
+    base: Base = None,
+    tip: Tip = None,
+    task: TaskName = None,
+    lock: Lock = None,
+    convention: Convention = None,
+    angle_unit: AngleUnit = None,
+    to: Annotated[
+        Form | None,
+        typer.Option(
+            help="dh: a robot file with the same forward kinematics. poly: f, R and "
+            "det J. msolve: inverse kinematics of a real pose."
+        ),
+    ] = None,
+    snap: Snap = "default",
+    as_json: Annotated[bool, typer.Option("--json", help="Print as JSON.")] = False,
+    names: Annotated[
+        bool, typer.Option("--list", help="List the robots known by name.")
+    ] = False,
+    seed: Seed = 0,
+) -> None:
+    """Show what was understood: chain, polynomial map, snapped numbers."""
+    if names:
+        _print_names()
+        return
+    if robot is None:
+        raise InvalidInputError(
+            file="import",
+            found="no robot named",
+            expected="give ROBOT, or --list for the names known",
+        )
+    from cuspaudit.audit.understood import understood
+    from cuspaudit.kinematics.snap_policy import policy_from_name
+
+    square = to in (Form.poly, Form.msolve)
+    opened, _ = open_named(
+        robot, base, tip, task, lock, convention, angle_unit, square=square
+    )
+    policy = policy_from_name(snap)
+    if to:
+        typer.echo(_written(opened, to, policy, seed), nl=False)
+        return
+    found = understood(opened, policy)
+    typer.echo(json.dumps(found, indent=1)) if as_json else print_understood(found)
+
+
+def _print_names() -> None:
+    from cuspaudit.audit.descriptions import description_names
+    from cuspaudit.audit.library import library
+
+    for name, path in library():
+        typer.echo(f"{name:28} {path}")
+    for name in description_names():
+        typer.echo(f"{name:28} robot_descriptions")
+
+
+def _written(robot: Robot, form: Form, policy: SnapPolicy, seed: int) -> str:
+    """The snapped model of ``robot`` in ``form``."""
+    from cuspaudit.kinematics import snap
+    from cuspaudit.kinematics.dh_writing import table_text
+    from cuspaudit.kinematics.exact_model import exact_model
+    from cuspaudit.kinematics.export import msolve_system, poly_text
+
+    chain = snap(robot.chain, policy)[0]
+    if form is Form.dh:
+        numbers = "as in the file" if policy.name == "none" else "snapped"
+        source = robot.source or f"{Path(robot.file).name}, numbers {numbers}"
+        return table_text(chain, robot.title, source)
+    if form is Form.poly:
+        return poly_text(exact_model(chain))
+    return msolve_system(exact_model(chain), seed)

@@ -1,0 +1,65 @@
+"""From the arguments of a command to the robot they name."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from cuspaudit.errors import InvalidInputError
+
+if TYPE_CHECKING:
+    from cuspaudit.kinematics.robot import Robot
+
+__all__ = ["open_named"]
+
+
+def open_named(
+    name: str,
+    base: str | None,
+    tip: str | None,
+    task: str | None,
+    lock: list[str] | None,
+    convention: str | None,
+    angle_unit: str | None,
+    *,
+    square: bool = True,
+) -> tuple[Robot, dict[str, str]]:
+    """The robot a user named, and the values of its locked joints as texts.
+
+    Args:
+        name: a file, or a name of the library.
+        base: base link of a URDF.
+        tip: tip link of a URDF.
+        task: "position" or "pose".
+        lock: entries JOINT=VALUE.
+        convention: D-H convention of a CSV that does not say.
+        angle_unit: unit of bare angles in a D-H table.
+        square: whether the task must fit the joints that are left.
+
+    Raises:
+        InvalidInputError: no such robot, or one that cannot be read so.
+    """
+    from cuspaudit.audit.library import open_robot
+
+    locked = dict(_joint_and_value(entry) for entry in lock or [])
+    robot = open_robot(
+        name,
+        base=base,
+        tip=tip,
+        task=task,
+        lock=locked,
+        convention=convention,
+        angle_unit=angle_unit,
+        square=square,
+    )
+    return robot, locked
+
+
+def _joint_and_value(entry: str) -> tuple[str, str]:
+    joint, equals, value = entry.partition("=")
+    if not (joint and equals and value):
+        raise InvalidInputError(
+            file=f"--lock {entry}",
+            found="not JOINT=VALUE",
+            expected="write for example joint_3=pi/4",
+        )
+    return joint, value

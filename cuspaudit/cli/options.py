@@ -1,0 +1,72 @@
+"""The arguments that several commands share."""
+
+from __future__ import annotations
+
+from enum import StrEnum
+from typing import Annotated
+
+import typer
+
+__all__ = [
+    "AngleUnit",
+    "Base",
+    "Convention",
+    "Engine",
+    "EngineName",
+    "Lock",
+    "RobotName",
+    "Seed",
+    "Snap",
+    "TaskName",
+    "Timeout",
+    "Tip",
+]
+
+
+class Engine(StrEnum):
+    """How connectivity is decided."""
+
+    auto = "auto"
+    roadmap = "roadmap"
+
+
+RobotName = Annotated[
+    str,
+    typer.Argument(
+        metavar="ROBOT",
+        help="A .urdf, a .yaml or .csv D-H table, or a name from `import --list`.",
+    ),
+]
+Base = Annotated[str | None, typer.Option(help="Base link of a URDF.")]
+Tip = Annotated[str | None, typer.Option(help="Tip link of a URDF.")]
+TaskName = Annotated[
+    str | None,
+    typer.Option("--task", help="position (3 joints) or pose (6 joints)."),
+]
+Lock = Annotated[
+    list[str] | None,
+    typer.Option(
+        metavar="JOINT=VALUE", help="Fix a joint, e.g. joint_3=pi/4; may be repeated."
+    ),
+]
+Convention = Annotated[
+    str | None,
+    typer.Option(help="D-H convention of a CSV that does not say: standard, modified."),
+]
+AngleUnit = Annotated[
+    str | None, typer.Option(help="Unit of bare angles in a D-H table: rad, deg.")
+]
+Snap = Annotated[
+    str,
+    typer.Option(
+        metavar="none|default|FILE",
+        help="Which rounded numbers are made exact; FILE is YAML with any of angle, "
+        "length, axis, printed.",
+    ),
+]
+EngineName = Annotated[Engine, typer.Option(help="Route of the decision.")]
+Seed = Annotated[int, typer.Option(help="Seed of every random choice.")]
+Timeout = Annotated[
+    float | None,
+    typer.Option(min=0.0, help="Seconds after which no further step is begun."),
+]

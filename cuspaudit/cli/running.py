@@ -1,0 +1,77 @@
+"""One audit run for the terminal: the step under way, the proof, the page."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, Any
+
+from rich.console import Console
+
+if TYPE_CHECKING:
+    from cuspaudit.audit.report import Audit
+    from cuspaudit.kinematics.chain import Chain
+    from cuspaudit.kinematics.robot import Robot
+
+__all__ = ["certificate_text", "page_text", "run_audit"]
+
+
+def run_audit(
+    robot: Robot,
+    locked: Mapping[str, str],
+    seed: int,
+    timeout: float | None,
+    snap: str,
+) -> Audit:
+    """The audit of a robot, its steps shown on a terminal.
+
+    Raises:
+        CuspauditError: no audit of this robot, or no such policy of numbers.
+    """
+    from cuspaudit.audit.report import Options, audit
+    from cuspaudit.kinematics.snap_policy import policy_from_name
+
+    policy = policy_from_name(snap)
+    with _progress() as step:
+        return audit(robot, Options(seed, timeout, locked, step, policy))
+
+
+def certificate_text(result: Audit) -> str | None:
+    """The certificate of a cuspidal verdict, else None."""
+    from cuspaudit.certificate import text_from_certificate
+
+    if result.witness is None:
+        return None
+    return text_from_certificate(result.witness.certificate)
+
+
+def page_text(record: Mapping[str, Any], result: Audit, proof: str | None) -> str:
+    """The offline page: the witness path, or the postures of one pose."""
+    from cuspaudit.audit.library import example_robot_data
+    from cuspaudit.audit.shown import shown_postures
+    from cuspaudit.kinematics.visuals import visuals
+    from cuspaudit.viz import build_scene, render_page, sample_path, sample_postures
+
+    chain: Chain = result.chain
+    if result.witness is not None:
+        chain = result.witness.chain
+        frames = sample_path(chain, result.witness.path.tolist())
+    else:
+        frames = sample_postures(chain, *shown_postures(result))
+    share = example_robot_data()
+    shapes = (
+        visuals(result.robot, [share] if share else []) if result.robot.urdf else ()
+    )
+    scene = build_scene(chain, frames, shapes)
+    return render_page(record, scene, certificate=proof)
+
+
+@contextmanager
+def _progress() -> Iterator[Callable[[str], None]]:
+    """A line with the name of the running step, on a terminal only."""
+    console = Console(stderr=True)
+    if not console.is_terminal:
+        yield lambda step: None
+        return
+    with console.status("import") as status:
+        yield lambda step: status.update(step)

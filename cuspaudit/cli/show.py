@@ -1,0 +1,91 @@
+"""`cuspaudit show`: a robot, or a saved audit of one, as a page in a browser."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+
+from cuspaudit.cli.opening import open_named
+from cuspaudit.cli.options import (
+    AngleUnit,
+    Base,
+    Convention,
+    Lock,
+    Seed,
+    Snap,
+    TaskName,
+    Tip,
+)
+from cuspaudit.cli.running import certificate_text, page_text, run_audit
+from cuspaudit.errors import InvalidInputError
+
+__all__ = ["show"]
+
+
+def show(
+    source: Annotated[
+        str, typer.Argument(metavar="ROBOT|AUDIT.json", help="A robot or an audit.")
+    ],
+    base: Base = None,
+    tip: Tip = None,
+    task: TaskName = None,
+    lock: Lock = None,
+    convention: Convention = None,
+    angle_unit: AngleUnit = None,
+    html: Annotated[
+        Path | None, typer.Option(help="Write one offline page instead of serving it.")
+    ] = None,
+    no_open: Annotated[
+        bool, typer.Option("--no-open", help="Serve without opening a browser.")
+    ] = False,
+    port: Annotated[int, typer.Option(help="First port to try, on loopback.")] = 7000,
+    snap: Snap = "default",
+    seed: Seed = 0,
+) -> None:
+    """Show the witness path in a browser, or the postures of one pose."""
+    from cuspaudit.audit.writing import check_writable, write_text
+    from cuspaudit.viz import serve
+
+    if html:
+        check_writable(html)
+    if source.endswith(".json") and (saved := _saved_audit(Path(source))) is not None:
+        source, base, tip = saved["file"], saved["base"], saved["tip"]
+        task, seed, snap = saved["task"], saved["seed"], saved["snap"]
+        lock = [f"{joint}={value}" for joint, value in saved["locked"].items()]
+        if not source.endswith((".urdf", ".xml")):
+            base = tip = None
+    opened, locked = open_named(source, base, tip, task, lock, convention, angle_unit)
+    result = run_audit(opened, locked, seed, None, snap)
+    page = page_text(result.record(), result, certificate_text(result))
+    if html:
+        write_text(html, page)
+        typer.echo(f"page: {html}")
+    else:
+        serve(page, port, open_browser=not no_open)
+
+
+def _saved_audit(path: Path) -> dict[str, Any] | None:
+    """What a saved audit says of its robot; None when the file is a D-H table."""
+    try:
+        record = json.loads(path.read_text("utf-8"))
+    except (OSError, ValueError) as error:
+        raise InvalidInputError(
+            file=str(path),
+            found=f"cannot be read as JSON ({error})",
+            expected="name an audit written with --json, or a robot",
+        ) from error
+    if not isinstance(record, dict) or record.get("schema") != "cuspaudit/audit/1":
+        return None
+    robot = record["robot"]
+    return {
+        "file": robot["file"],
+        "base": robot["base"],
+        "tip": robot["tip"],
+        "task": robot["task"],
+        "locked": robot.get("locked", {}),
+        "seed": record["seed"],
+        "snap": robot.get("snap_policy", {}).get("name", "default"),
+    }
