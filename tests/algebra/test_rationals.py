@@ -3,7 +3,7 @@ from __future__ import annotations
 from fractions import Fraction
 from itertools import count
 
-from flint import arb, fmpq
+from flint import arb, ctx, fmpq
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
@@ -55,6 +55,22 @@ def test_rationals_between_balls(a: Fraction, b: Fraction) -> None:
     found = list(rationals_between(*ends))
     assert len(set(found)) == len(found) > 3
     assert all(ends[0] < arb(x) and arb(x) < ends[1] for x in found)
+
+
+def test_gap_of_two_close_balls_is_found_at_any_precision() -> None:
+    """Rationals between balls made at 256 bits lie between them at 53 bits too."""
+    saved, ctx.prec = ctx.prec, 256
+    try:
+        low = arb(1) / 3
+        high = low + arb(2) ** -120
+    finally:
+        ctx.prec = saved
+    for value in rationals_between(low, high):
+        ctx.prec, found = 256, fmpq(value)
+        try:
+            assert low < arb(found) < high
+        finally:
+            ctx.prec = saved
 
 
 def test_rationals_beside_infinity() -> None:
