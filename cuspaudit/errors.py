@@ -22,6 +22,8 @@ UNDECIDED; nobody catches ``CrossCheckError`` except to print it.
 
 from __future__ import annotations
 
+from typing import Any
+
 __all__ = [
     "AssumptionError",
     "CrossCheckError",
@@ -40,7 +42,22 @@ __all__ = [
 
 
 class CuspauditError(Exception):
-    """Base of every error this package raises on purpose."""
+    """Base of every error this package raises on purpose.
+
+    It travels between processes with its facts.
+    """
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """How to copy it: message and attributes, without building them again."""
+        return _restored, (type(self), self.args, self.__dict__)
+
+
+def _restored(
+    kind: type[CuspauditError], args: tuple[Any, ...], facts: dict[str, Any]
+) -> CuspauditError:
+    error = kind.__new__(kind, *args)
+    error.__dict__.update(facts)
+    return error
 
 
 class InvalidInputError(CuspauditError):

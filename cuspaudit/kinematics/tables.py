@@ -56,8 +56,15 @@ def read_table(path: Path, columns: Collection[str], place: Place) -> Table:
     return table_from_mapping(read_mapping(path, place), place)
 
 
-def read_mapping(path: Path, place: Place) -> dict[str, object]:
+def read_mapping(
+    path: Path, place: Place, example: str = "name:, convention:, joints: ..."
+) -> dict[str, object]:
     """The mapping in a YAML or .json file; every scalar is text.
+
+    Args:
+        path: the file.
+        place: the same, for messages.
+        example: the keys such a file has, for the message when it has none.
 
     Raises:
         InvalidRobotError: it cannot be read, decoded or parsed, or is no mapping.
@@ -67,7 +74,7 @@ def read_mapping(path: Path, place: Place) -> dict[str, object]:
     entries = _json(text, place) if is_json else _yaml(text, place)
     if not isinstance(entries, dict):
         found = "the file is not a mapping of keys to values"
-        raise place.error(found, "write name:, convention:, joints: ...")
+        raise place.error(found, f"write {example}")
     return entries
 
 
