@@ -1,0 +1,98 @@
+"""Values and derivatives of polynomials at one point, in balls or in doubles.
+
+The monomials of all polynomials are computed once, each from a smaller one by one
+multiplication; the same plan serves FLINT's balls and Python's floats.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+from flint import arb, ctx, fmpq
+
+from cuspaudit.algebra.matrix import jacobian
+from cuspaudit.algebra.ring import Polynomial, Ring
+
+__all__ = ["Differentiable", "Evaluator"]
+
+_Exponents = tuple[int, ...]
+
+
+class Evaluator:
+    """A list of polynomials of K[x_1..x_n], to be evaluated together.
+
+    Powers are products: python-flint's power of a ball that meets 0 is nan.
+    """
+
+    def __init__(self, ring: Ring, polynomials: Sequence[Polynomial]) -> None:
+        self.radicand = ring.radicand
+        self._index: dict[_Exponents, int] = {(0,) * len(ring.context.names()): 0}
+        self._steps: list[tuple[int, int]] = []
+        terms = [ring.reduce(p).to_dict() for p in polynomials]
+        self._places = [[self._place(tuple(map(int, e))) for e in t] for t in terms]
+        self._exact: list[list[fmpq]] = [list(t.values()) for t in terms]
+        self._floats = [[int(c.p) / int(c.q) for c in row] for row in self._exact]
+        self._balls: dict[int, list[list[arb]]] = {}
+
+    def balls(self, point: Sequence[arb]) -> list[arb]:
+        """Enclosures of the values at a box, at the current precision."""
+        values = [*point, *self._surd_ball()]
+        monomials = [arb(1)]
+        for parent, variable in self._steps:
+            monomials.append(monomials[parent] * values[variable])
+        rows = self._ball_coefficients()
+        return [
+            sum((c * monomials[k] for c, k in zip(row, at, strict=True)), arb(0))
+            for row, at in zip(rows, self._places, strict=True)
+        ]
+
+    def floats(self, point: Sequence[float]) -> list[float]:
+        """The values at a point, in doubles."""
+        surd = [math.sqrt(self.radicand)] if self.radicand else []
+        values = [*map(float, point), *surd]
+        monomials = [1.0]
+        for parent, variable in self._steps:
+            monomials.append(monomials[parent] * values[variable])
+        return [
+            sum(c * monomials[k] for c, k in zip(row, at, strict=True))
+            for row, at in zip(self._floats, self._places, strict=True)
+        ]
+
+    def _place(self, exponents: _Exponents) -> int:
+        """The number of a monomial, entered after the one it is computed from."""
+        if exponents in self._index:
+            return self._index[exponents]
+        last = max(i for i, exponent in enumerate(exponents) if exponent)
+        smaller = tuple(e - (i == last) for i, e in enumerate(exponents))
+        self._steps.append((self._place(smaller), last))
+        self._index[exponents] = len(self._steps)
+        return len(self._steps)
+
+    def _surd_ball(self) -> list[arb]:
+        return [arb(self.radicand).sqrt()] if self.radicand else []
+
+    def _ball_coefficients(self) -> list[list[arb]]:
+        if ctx.prec not in self._balls:
+            self._balls[ctx.prec] = [[arb(c) for c in row] for row in self._exact]
+        return self._balls[ctx.prec]
+
+
+class Differentiable:
+    """Polynomials p_1..p_k with their first derivatives, over balls."""
+
+    def __init__(self, ring: Ring, polynomials: Sequence[Polynomial]) -> None:
+        self.size = len(polynomials)
+        self._width = len(ring.variables)
+        self._values = Evaluator(ring, polynomials)
+        entries = [e for row in jacobian(ring, polynomials) for e in row]
+        self._entries = Evaluator(ring, entries)
+
+    def values(self, box: Sequence[arb]) -> list[arb]:
+        """Enclosures of p_1..p_k over ``box``."""
+        return self._values.balls(box)
+
+    def jacobian(self, box: Sequence[arb]) -> list[list[arb]]:
+        """Enclosures of d p_i / d x_j over ``box``, rows in order."""
+        entries, width = self._entries.balls(box), self._width
+        return [entries[i * width : (i + 1) * width] for i in range(self.size)]
