@@ -20,7 +20,7 @@ from flint import fmpq
 from cuspaudit.algebra.ring import Polynomial, Ring
 from cuspaudit.errors import CrossCheckError
 
-__all__ = ["factor_on_circles", "primitive", "reduce_on_circles"]
+__all__ = ["factor_on_circles", "half_angles", "primitive", "reduce_on_circles"]
 
 Circle = tuple[str, str]
 
@@ -116,7 +116,7 @@ def _forms(
     ring: Ring, circles: Sequence[Circle], polynomial: Polynomial
 ) -> list[_Form]:
     """The irreducible forms of ``polynomial``, without constants and C^2 + S^2."""
-    numerator, degrees = _half_angles(ring, circles, polynomial)
+    numerator, degrees = half_angles(ring, circles, polynomial)
     forms = []
     for factor, count in numerator.factor()[1]:
         own = tuple(_degree(factor, s) for _, s in circles)
@@ -129,7 +129,7 @@ def _forms(
     return [f for f in forms if primitive(ring, f.polynomial) not in ones]
 
 
-def _half_angles(
+def half_angles(
     ring: Ring, circles: Sequence[Circle], polynomial: Polynomial
 ) -> tuple[Polynomial, tuple[int, ...]]:
     """The numerator in t_i, written as s_i, and the degrees of its form."""
