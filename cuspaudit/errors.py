@@ -11,6 +11,10 @@
       AssumptionError          a hypothesis fails here: no answer exists by this route
         NotSquareError
         DegenerateMapError
+        NotZeroDimensionalError
+        NotRadicalError
+        NotEquidimensionalError
+        RealPartSingularError
       RetryableError           an unlucky choice: another chart, or more bits, may do
         PrecisionError
       UnableError              our limit, not mathematics: too large, too long
@@ -33,8 +37,12 @@ __all__ = [
     "InvalidInputError",
     "InvalidRobotError",
     "InvalidSystemError",
+    "NotEquidimensionalError",
+    "NotRadicalError",
     "NotSquareError",
+    "NotZeroDimensionalError",
     "PrecisionError",
+    "RealPartSingularError",
     "RetryableError",
     "UnableError",
     "UnsupportedJointError",
@@ -118,6 +126,70 @@ class NotSquareError(AssumptionError):
 
 class DegenerateMapError(AssumptionError):
     """The map is singular everywhere: det J vanishes identically."""
+
+
+class NotZeroDimensionalError(AssumptionError):
+    """A system that should have finitely many complex solutions has not.
+
+    Attributes:
+        dimension: of its zero set, positive.
+    """
+
+    def __init__(self, dimension: int) -> None:
+        """Name the dimension."""
+        self.dimension = dimension
+        super().__init__(
+            f"the zero set has dimension {dimension} where finitely many points are "
+            "needed"
+        )
+
+
+class NotRadicalError(AssumptionError):
+    """The ideal of the equations is not radical: they hold with multiplicity.
+
+    Attributes:
+        where: the part of the zero set where the equations are not reduced.
+    """
+
+    def __init__(self, where: str) -> None:
+        """Name the part."""
+        self.where = where
+        super().__init__(
+            f"the equations are not reduced {where}; give generators of the radical"
+        )
+
+
+class NotEquidimensionalError(AssumptionError):
+    """The zero set does not have the dimension it should everywhere.
+
+    Attributes:
+        expected: the dimension it should have.
+        found: another dimension that one of its components has.
+    """
+
+    def __init__(self, *, expected: int, found: int) -> None:
+        """Name both dimensions."""
+        self.expected, self.found = expected, found
+        super().__init__(
+            f"a component of V has dimension {found}, not {expected}; decide the "
+            "components of dimension "
+            f"{expected} alone"
+        )
+
+
+class RealPartSingularError(AssumptionError):
+    """Every real point of V is singular.
+
+    Attributes:
+        dimension: the dimension of V in C^n.
+    """
+
+    def __init__(self, dimension: int) -> None:
+        """Name the dimension that the real part does not have."""
+        self.dimension = dimension
+        super().__init__(
+            f"V has dimension {dimension} in C^n, but all its real points are singular"
+        )
 
 
 class RetryableError(CuspauditError):
