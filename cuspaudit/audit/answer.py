@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from cuspaudit.audit.aspects import count_aspects
 from cuspaudit.cuspidality.decision import Decision, decide
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import DegenerateMapError, RetryableError, UnableError
@@ -132,6 +133,7 @@ def _six_joints(model: ExactModel, progress: Progress) -> Answer:
             "none of the structures that decide a six-joint arm holds exactly",
             LOOKED_FOR,
             "a witness path, or an exact count of the aspects of a general 6R arm",
+            aspects=count_aspects(model),
         )
     if reduction.regional is None:
         return Answer(
@@ -159,7 +161,12 @@ def _six_joints(model: ExactModel, progress: Progress) -> Answer:
 
 
 def _undecided(
-    model: ExactModel, step: str, why: str, looked_for: tuple[str, ...], settle: str
+    model: ExactModel,
+    step: str,
+    why: str,
+    looked_for: tuple[str, ...],
+    settle: str,
+    aspects: Count | None = None,
 ) -> Answer:
     reason = Undecided(step, why, looked_for, settle)
-    return Answer(model, Verdict.UNDECIDED, why, undecided=reason)
+    return Answer(model, Verdict.UNDECIDED, why, aspects=aspects, undecided=reason)

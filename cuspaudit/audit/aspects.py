@@ -1,0 +1,41 @@
+"""The aspects of a six-joint arm, counted exactly and told apart.
+
+det J depends on joints 2 to 5 only, so the aspects of the arm are the components of
+{det J != 0} on their torus, times the circles of the first and the last joint. Where
+axes 2 and 3, or 4 and 5, are parallel, det J is linear along a circle, and
+``geometry.torus_components`` counts them by a theorem.
+"""
+
+from __future__ import annotations
+
+from cuspaudit.errors import UnableError
+from cuspaudit.geometry.cusps import Count
+from cuspaudit.geometry.torus_components import TorusComponents, torus_components
+from cuspaudit.kinematics.exact_model import ExactModel
+from cuspaudit.kinematics.polynomial_map import jacobian_determinant
+
+__all__ = ["aspect_components", "count_aspects"]
+
+
+def aspect_components(model: ExactModel) -> TorusComponents:
+    """The aspects of an arm with revolute joints and a square task.
+
+    Raises:
+        DegenerateMapError: det J vanishes identically.
+        UnableError: det J is linear along no circle, or a joint is prismatic.
+    """
+    circles = []
+    for joint in model.joints:
+        if joint.kind != "revolute":
+            raise UnableError("aspects", f"joint {joint.name} is prismatic")
+        c, s = joint.variables
+        circles.append((c, s))
+    return torus_components(model.ring, circles, jacobian_determinant(model))
+
+
+def count_aspects(model: ExactModel) -> Count | None:
+    """The number of aspects, proved; None where ``aspect_components`` is unable."""
+    try:
+        return Count(aspect_components(model).number_of_components, True)
+    except UnableError:
+        return None
