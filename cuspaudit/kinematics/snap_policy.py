@@ -3,11 +3,12 @@
 A policy is ``default``, ``none``, or a YAML file with any of the four entries::
 
     angle: 1e-5      # rad from a multiple of pi/6 or pi/4
-    length: 2e-6     # m, below which a component of a translation counts as 0
-    axis: 1e-5       # below which a component of an axis counts as 0
+    length: 2e-6     # m, up to which a component of a translation may count as 0
+    axis: 1e-5       # up to which a component of an axis may count as 0
     printed: true    # 1.57, 1.571, 1.5708, ... count as pi/2
 
-An entry left out is that of ``default``.
+An entry left out is that of ``default``. A small component counts as 0 where a relation
+of the axes comes of it (`cuspaudit.kinematics.relations`).
 """
 
 from __future__ import annotations
@@ -35,8 +36,8 @@ class SnapPolicy:
     Attributes:
         angle: distance in rad from a multiple of pi/6 or pi/4, 0 included, below
             which an angle counts as that multiple.
-        length: in m, below which a component of a translation counts as 0.
-        axis: below which a component of an axis, beside a largest one of 1, is 0.
+        length: in m, up to which a component of a translation may count as 0.
+        axis: up to which a component of an axis, beside a largest one of 1, may.
         printed: whether an angle in rad that is a multiple of pi/2 rounded or cut at
             its own last decimal (the second or a later one) counts as that multiple.
         name: "default", "none" or the file.

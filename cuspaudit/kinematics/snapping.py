@@ -2,13 +2,16 @@
 
 A file writes pi/2 as 1.5708, 1.57 or 1.570796326589793, and a parallel axis with
 3.7e-6 left over from a CAD system. As printed, such axes neither meet nor stand
-parallel; snapped they do. Every number that is replaced is listed with its
-replacement and with the axes that stand parallel, meet or stand square because of it,
-and the literal chain stays what it is.
+parallel; snapped they do. An angle is what it is read as wherever it stands, since only
+then a model is exact; a small component of a length or an axis goes only where a
+relation of the axes comes of it. Every number that is replaced is listed with its
+replacement and with the relations that hold because of it, and the literal chain stays
+what it is.
 """
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 
@@ -41,8 +44,8 @@ class Snapped:
         given: what stands there, in rad or the chain's unit.
         used: the exact text of what is used instead.
         difference: used minus given.
-        effect: which axes stand parallel, meet or stand square only because of it
-            (to 1e-12); "" when none do.
+        effect: the relations of the axes (`relations`) that hold only because of it;
+            "" when none do.
     """
 
     where: str
@@ -60,32 +63,59 @@ def snap(
     Limits are left alone. With nothing to snap the chain itself comes back.
     """
     record = _Record()
-    snapped = _snapped(chain, policy, record)
+    whole = _snapped(chain, policy, record)
     if not record.entries:
         return chain, ()
+
+    def without(left: frozenset[int]) -> Chain:
+        return _snapped(chain, policy, _Record(left))
+
+    left = _idle(record.small, relations(whole), without)
+    snapped = without(left)
     gained = relations(snapped) - relations(chain)
     entries = []
     for number, entry in enumerate(record.entries):
-        without = _snapped(chain, policy, _Record(left=number)) if gained else snapped
-        lost = gained - relations(without)
-        entries.append(replace(entry, effect="; ".join(sorted(lost))))
+        if number not in left:
+            lost = gained - relations(without(left | {number}))
+            entries.append(replace(entry, effect="; ".join(sorted(lost))))
     return snapped, tuple(entries)
+
+
+def _idle(
+    small: Sequence[int],
+    wanted: frozenset[str],
+    without: Callable[[frozenset[int]], Chain],
+) -> frozenset[int]:
+    """Those of the small components that no relation needs, found one by one."""
+    left: frozenset[int] = frozenset()
+    for number in small:
+        if wanted <= relations(without(left | {number})):
+            left |= {number}
+    return left
 
 
 @dataclass
 class _Record:
-    """What is snapped, in order; entry number ``left`` is left as it is."""
+    """What can be snapped, in order.
 
-    left: int | None = None
+    Attributes:
+        left: the numbers of the entries that are left as they are.
+        entries: all of them.
+        small: the numbers of those that are small components.
+    """
+
+    left: frozenset[int] = frozenset()
     entries: list[Snapped] = field(default_factory=list)
+    small: list[int] = field(default_factory=list)
 
     def takes(self, where: str, given: float, used: str, difference: float) -> bool:
         """Note a number; whether it is to be replaced."""
         self.entries.append(Snapped(where, given, used, difference))
-        return len(self.entries) - 1 != self.left
+        return len(self.entries) - 1 not in self.left
 
     def clears(self, where: str, given: Fraction) -> bool:
-        """Note a number that becomes 0; whether it is to be replaced."""
+        """Note a small component; whether it is to be replaced by 0."""
+        self.small.append(len(self.entries))
         return self.takes(where, float(given), "0", -float(given))
 
 

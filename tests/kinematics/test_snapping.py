@@ -2,6 +2,7 @@ from __future__ import annotations
 
 import json
 import math
+from dataclasses import replace
 from fractions import Fraction
 from itertools import pairwise
 from pathlib import Path
@@ -12,15 +13,18 @@ import pytest
 from cuspaudit.errors import InvalidRobotError
 from cuspaudit.kinematics.chain import (
     X_AXIS,
+    Y_AXIS,
     Z_AXIS,
     Angle,
     Chain,
     Joint,
+    Motion,
     Rotation,
     Translation,
 )
 from cuspaudit.kinematics.frames import frames
 from cuspaudit.kinematics.reading import read_robot
+from cuspaudit.kinematics.relations import relations
 from cuspaudit.kinematics.snap_policy import (
     NO_SNAPPING,
     SnapPolicy,
@@ -98,8 +102,9 @@ def test_exact_angles_survive() -> None:
 )
 def test_only_noise_in_a_length_goes(unit: str, text: str, kept: bool) -> None:
     """At most 2e-6 m counts as 0; a genuine 0.35 mm offset survives, in any unit."""
-    shift = Translation((Fraction(text), Fraction(1), Fraction(0)), "j xyz")
-    chain = Chain("arm", (Joint("j", "revolute", (shift,)),), unit=unit)
+    shift = Translation((Fraction(text), Fraction(0), Fraction(1)), "j xyz")
+    joints = (Joint("i", "revolute"), Joint("j", "revolute", (shift,), Y_AXIS))
+    chain = Chain("arm", joints, unit=unit)
     snapped, record = snap(chain)
     assert (snapped == chain) == kept
     assert [(r.where, r.used) for r in record] == ([] if kept else [("j xyz[0]", "0")])
@@ -162,25 +167,85 @@ def test_a_bad_policy_is_refused(tmp_path: Path, text: str, said: str) -> None:
         policy_from_name(str(tmp_path / "none.yaml"))
 
 
+def noisy(*vector: Fraction | int, turn: Fraction | int = 0) -> tuple[Motion, ...]:
+    """A translation, and a turn about x in rad."""
+    x, y, z = (Fraction(entry) for entry in vector)
+    return Translation((x, y, z)), Rotation(X_AXIS, Angle(radians=Fraction(turn)))
+
+
 def test_each_snapped_number_says_what_it_changes() -> None:
     """A number names the axes that stand square, meet or are parallel because of it."""
-    half, noise = Angle(radians=Fraction("1.5708")), Fraction(1, 10**6)
+    half, noise = Fraction("1.5708"), Fraction(1, 10**6)
     joints = (
-        Joint("j1", "revolute", (Translation((noise, Fraction(0), Fraction(1))),)),
-        Joint("j2", "revolute", (Rotation(X_AXIS, half),)),
-        Joint("j3", "revolute", (Translation((Fraction(1), noise, Fraction(0))),)),
-        Joint("j4", "revolute", (Rotation(X_AXIS, Angle(radians=noise)),)),
-        Joint(
-            "j5",
-            "revolute",
-            (Rotation(X_AXIS, half), Translation((noise, Fraction(0), Fraction(0)))),
-        ),
+        Joint("j1", "revolute"),
+        Joint("j2", "revolute", noisy(0, noise, 1, turn=half)),
+        Joint("j3", "revolute", noisy(1, 0, 0, turn=noise)),
+        Joint("j4", "revolute", noisy(0, noise, 1, turn=half)),
     )
-    _, record = snap(Chain("arm", joints))
-    assert [entry.effect for entry in record] == [
-        *("", "axes 1 and 2 are square", "", "axes 3 and 4 coincide"),
-        *("axes 4 and 5 are square", "axes 4 and 5 meet"),
+    _, record = snap(Chain("arm", joints, task="pose"))
+    assert [(entry.given, entry.effect) for entry in record] == [
+        (1.5708, "axes 1 and 2 are square"),
+        (1e-6, "axes 2 and 3 are parallel"),
+        (1.5708, "axes 3 and 4 are square"),
     ]
+
+
+def test_noise_that_changes_no_relation_stays() -> None:
+    """Noise before the first axis or along another length is no relation: it stays."""
+    half, noise = Fraction("1.5708"), Fraction(1, 10**6)
+    joints = (
+        Joint("j1", "revolute", noisy(noise, 0, 1)),
+        Joint("j2", "revolute", noisy(1, noise, 1, turn=half)),
+        Joint("j3", "revolute", noisy(0, 1, 3, turn=half)),
+    )
+    snapped, record = snap(Chain("arm", joints, task="pose"))
+    assert [entry.given for entry in record] == [1.5708, 1.5708]
+    vectors = [joint.before[0].vector for joint in snapped.joints]
+    assert vectors == [joint.before[0].vector for joint in joints]
+
+
+def test_two_numbers_that_undo_each_other_stay_or_go_together() -> None:
+    """A relation of the file is never lost to snapping one number out of two."""
+    noise = Fraction(1, 10**6)
+    there, back = noisy(noise, 0, 1)[0], noisy(-noise, 0, 1)[0]
+    joints = (
+        Joint("j1", "revolute"),
+        Joint("j2", "revolute", (there, back), Y_AXIS),
+    )
+    chain = Chain("arm", joints, task="pose")
+    assert relations(chain) <= relations(snap(chain)[0])
+
+
+def cleared(chain: Chain) -> Chain:
+    """The chain without any component of a translation of at most 2e-6 m."""
+
+    def clear(motion: Motion) -> Motion:
+        if isinstance(motion, Rotation):
+            return motion
+        x, y, z = (v if abs(v) > Fraction(2, 10**6) else 0 * v for v in motion.vector)
+        return replace(motion, vector=(x, y, z))
+
+    joints = [replace(j, before=tuple(map(clear, j.before))) for j in chain.joints]
+    return replace(chain, joints=tuple(joints), tool=tuple(map(clear, chain.tool)))
+
+
+def test_small_components_go_for_a_relation_and_all_relations_come(
+    corpus: Path,
+) -> None:
+    """In public arms a length goes for a relation; to clear the rest adds none."""
+    index = json.loads((corpus / "urdf" / "FK_ORACLE.json").read_text())["robots"]
+    number = kept = 0
+    for name, entry in index.items():
+        path = corpus / "urdf" / f"{name}.urdf"
+        chain = read_urdf(path, base=entry["root"], tip=entry["tip"]).chain
+        snapped, record = snap(chain)
+        assert relations(cleared(snapped)) <= relations(snapped), name
+        small = [r for r in record if "xyz" in r.where]
+        assert all(r.effect for r in small), name
+        number += len(small)
+        kept += cleared(snapped) != snapped
+    assert number > 0
+    assert kept > 0
 
 
 def lines(chain: Chain) -> list[Line]:
