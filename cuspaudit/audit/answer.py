@@ -6,6 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from cuspaudit.audit.aspects import count_aspects
+from cuspaudit.audit.six_joint_search import SearchRecord
 from cuspaudit.cuspidality.decision import Decision, decide
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import DegenerateMapError, RetryableError, UnableError
@@ -15,7 +16,7 @@ from cuspaudit.kinematics.exact_model import ExactModel
 from cuspaudit.kinematics.polynomial_map import jacobian_determinant, reduced_map
 from cuspaudit.kinematics.reductions import LOOKED_FOR, Reduction, reduce_six_joints
 
-__all__ = ["Answer", "Undecided", "answer"]
+__all__ = ["Answer", "Progress", "Undecided", "answer"]
 
 Progress = Callable[[str], None]
 
@@ -31,12 +32,14 @@ class Undecided:
         why: what it could not do.
         looked_for: the structures that were tested and not found.
         would_settle: what would give a verdict.
+        search: what a search for a witness tried, if there was one.
     """
 
     step: str
     why: str
     looked_for: tuple[str, ...]
     would_settle: str
+    search: SearchRecord | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -55,6 +58,7 @@ class Answer:
         cusps: of the curve of critical values, of a three-joint arm.
         nodes: of the same.
         undecided: set exactly when the verdict is UNDECIDED.
+        search: the search that found the witness of a CUSPIDAL answer, if one did.
     """
 
     model: ExactModel
@@ -68,6 +72,7 @@ class Answer:
     cusps: Count | None = None
     nodes: Count | None = None
     undecided: Undecided | None = None
+    search: SearchRecord | None = None
 
 
 def answer(model: ExactModel, progress: Progress = lambda step: None) -> Answer:

@@ -16,6 +16,7 @@ from cuspaudit.algebra.trigonometric import factor_on_circles
 from cuspaudit.audit.answer import Answer, Undecided, answer
 from cuspaudit.audit.crosscheck import CrossCheck, crosscheck
 from cuspaudit.audit.pinocchio_model import is_readable
+from cuspaudit.audit.six_joint_witness import needs_search, searched
 from cuspaudit.audit.witness import Witness, find_witness
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import AssumptionError, DegenerateMapError, UnableError
@@ -166,7 +167,7 @@ class Audit:
             kind, rests_on = "none", []
         return {
             "kind": kind,
-            "engine": "roadmap" if answer.decision else None,
+            "engine": _engine(answer),
             "reduction": answer.reduction.kind if answer.reduction else None,
             "rests_on": rests_on,
             "why": why,
@@ -207,8 +208,11 @@ def audit(robot: Robot, options: Options | None = None) -> Audit:
         found = _decide(robot, model, clock)
     with clock.stage("certify"):
         found, witness = _certify(found, robot.chain, clock)
+    with clock.stage("search"):
+        if needs_search(found):
+            found, witness = searched(found, robot.chain, options.seed, clock.step)
     with clock.stage("literal"):
-        literal = _literal(robot.chain, chain, found, witness, clock)
+        literal = _literal(robot.chain, found, witness, options.seed, clock)
     with clock.stage("crosscheck"):
         clock.step("crosscheck", always=True)
         check = _check(robot, found, snapped, witness, options)
@@ -296,7 +300,7 @@ def _certify(
 
 
 def _literal(
-    literal: Chain, own: Chain, found: Answer, witness: Witness | None, clock: _Clock
+    literal: Chain, found: Answer, witness: Witness | None, seed: int, clock: _Clock
 ) -> Verdict:
     """The verdict for the numbers exactly as the file has them.
 
@@ -306,9 +310,13 @@ def _literal(
     if witness is not None and witness.chain == literal:
         return Verdict.CUSPIDAL
     try:
-        other = found if literal == own else answer(exact_model(literal), clock.step)
+        if literal == found.model.chain:
+            return found.verdict if found.model.is_exact else Verdict.UNDECIDED
+        other = answer(exact_model(literal), clock.step)
         if other.verdict is Verdict.CUSPIDAL:
             find_witness(other, literal)
+        elif needs_search(other) and found.verdict is not Verdict.NONCUSPIDAL:
+            other, _ = searched(other, literal, seed, clock.step)
     except (UnableError, AssumptionError):
         return Verdict.UNDECIDED
     if other.verdict is Verdict.NONCUSPIDAL and not other.model.is_exact:
@@ -344,6 +352,12 @@ def _determinant(found: Answer) -> dict[str, Any]:
         "determinant": str(determinant),
         "factors": [f"({p})^{n}" if n > 1 else str(p) for p, n in factors],
     }
+
+
+def _engine(found: Answer) -> str | None:
+    if found.decision is not None:
+        return "roadmap"
+    return "search" if found.search is not None else None
 
 
 def _counted(name: str, count: Count | None) -> dict[str, Any]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from itertools import islice
 
@@ -32,7 +32,7 @@ from cuspaudit.errors import RetryableError, UnableError
 from cuspaudit.kinematics.chain import Chain, Motion, Translation, reverse
 from cuspaudit.kinematics.frames import jacobian
 
-__all__ = ["Witness", "certificate_of", "find_witness"]
+__all__ = ["Witness", "certificate_of", "certified", "find_witness"]
 
 Array = NDArray[np.float64]
 _TRIES = 8
@@ -50,7 +50,7 @@ class Witness:
         clearance: the proved lower bound of |det J| on the path over the largest
             sampled |det J| of the arm; None when that is infinite.
         certificate: what `cuspaudit verify` reads.
-        verification: what the checker said; accepted.
+        verification: what the checker said; accepted, but for `certified`.
     """
 
     chain: Chain
@@ -78,14 +78,29 @@ def find_witness(answer: Answer, chain: Chain) -> Witness:
         except RetryableError as unlucky:
             reason = str(unlucky)
             continue
-        sign = int(np.sign(np.linalg.det(jacobian(chain, path[0]))))
-        certificate = certificate_of(chain, sign, path)
-        verification = verify(certificate)
-        if verification.accepted:
-            clearance = _clearance(answer, chain, surface_path, path, verification)
-            return Witness(chain, path, sign, clearance, certificate, verification)
-        reason = verification.reason
+        witness = certified(chain, path)
+        if witness.verification.accepted:
+            clearance = _clearance(answer, surface_path, witness)
+            return replace(witness, clearance=clearance)
+        reason = witness.verification.reason
     raise UnableError("certificate", f"no path could be proved: {reason}")
+
+
+def certified(chain: Chain, path: Array, largest: float | None = None) -> Witness:
+    """What the checker says of a closed path; only if it accepts is it a witness.
+
+    Args:
+        chain: whose numbers the certificate holds.
+        path: as `lift.close` returns it.
+        largest: of |det J|, for the clearance; None when it is not known.
+    """
+    sign = int(np.sign(np.linalg.det(jacobian(chain, path[0]))))
+    certificate = certificate_of(chain, sign, path)
+    verification = verify(certificate)
+    clearance = None
+    if largest is not None and verification.smallest is not None:
+        clearance = verification.smallest / largest
+    return Witness(chain, path, sign, clearance, certificate, verification)
 
 
 def certificate_of(chain: Chain, sign: int, path: Array) -> Certificate:
@@ -138,23 +153,21 @@ def _lifted(answer: Answer) -> Iterator[tuple[SurfacePath, Array]]:
 
 
 def _clearance(
-    answer: Answer,
-    chain: Chain,
-    surface_path: SurfacePath,
-    path: Array,
-    verification: Verification,
+    answer: Answer, surface_path: SurfacePath, witness: Witness
 ) -> float | None:
     """The proved smallest over the largest |det J|.
 
     The determinant is a constant times Delta (times the sine of a wrist); the constant
     is read off at the first posture.
     """
+    chain, path = witness.chain, witness.path
+    smallest = witness.verification.smallest
     largest = surface_path.largest / surface_path.first
     first = abs(float(np.linalg.det(jacobian(chain, path[0]))))
     if answer.reduction is not None:
         if answer.reduction.is_reversed:
             chain, path = reverse(chain), path[:, ::-1]
         first /= wrist_spread(path[0], wrist_middle(chain, path[0, :3]))
-    if not np.isfinite(largest) or verification.smallest is None:
+    if not np.isfinite(largest) or smallest is None:
         return None
-    return verification.smallest / (first * largest)
+    return smallest / (first * largest)

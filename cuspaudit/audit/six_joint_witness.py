@@ -1,0 +1,115 @@
+"""The witness of a six-joint arm that no theorem decides: searched for, then proved."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+from cuspaudit.audit.answer import Answer, Progress
+from cuspaudit.audit.lift import close
+from cuspaudit.audit.six_joint_search import SearchRecord, search
+from cuspaudit.audit.witness import Witness, certified
+from cuspaudit.cuspidality.verdict import Verdict
+from cuspaudit.errors import RetryableError
+from cuspaudit.kinematics.chain import Chain
+
+__all__ = ["Searched", "needs_search", "search_witness", "searched"]
+
+
+@dataclass(frozen=True, eq=False)
+class Searched:
+    """What a search came to.
+
+    Attributes:
+        witness: proved for the numbers of the chain that was searched, or None.
+        record: what was tried.
+        refused: why the last proposal was refused, "" when there was none.
+        largest: the largest |det J| met, in the chain's unit of length cubed.
+    """
+
+    witness: Witness | None
+    record: SearchRecord
+    refused: str
+    largest: float
+
+
+def needs_search(found: Answer) -> bool:
+    """Whether no theorem decided this six-joint arm."""
+    undecided, chain = found.undecided, found.model.chain
+    return (
+        undecided is not None
+        and undecided.step == "reductions"
+        and chain.task == "pose"
+        and chain.kinds == ("revolute",) * 6
+    )
+
+
+def searched(
+    found: Answer, literal: Chain, seed: int, progress: Progress
+) -> tuple[Answer, Witness | None]:
+    """CUSPIDAL with a witness proved for the model's numbers, or what was tried.
+
+    Args:
+        found: an answer that `needs_search`.
+        literal: the chain as the file has it. The witness returned is for it where
+            the same path is one, else for the chain of the model.
+        seed: of every random choice.
+        progress: called with each step; an UnableError it raises ends the search.
+    """
+    assert found.undecided is not None
+    chain = found.model.chain
+    result = search_witness(chain, seed, progress)
+    if result.witness is None:
+        why = f"{found.undecided.why}, and no witness was met in a search"
+        reason = replace(found.undecided, why=why, search=result.record)
+        return replace(found, why=why, undecided=reason), None
+    why = f"a search met it in {result.record.poses} random poses"
+    witness = result.witness
+    if chain != literal:
+        other = _same_path(witness, literal, result.largest)
+        witness = other or witness
+        why += ", and proved it for the snapped numbers" if other else ""
+    cuspidal = replace(
+        found,
+        verdict=Verdict.CUSPIDAL,
+        why=why,
+        undecided=None,
+        search=result.record,
+    )
+    return cuspidal, witness
+
+
+def search_witness(
+    chain: Chain,
+    seed: int = 0,
+    progress: Progress = lambda step: None,
+    most: int = 192,
+) -> Searched:
+    """Search, and prove the widest path that can be proved.
+
+    Args:
+        chain: six revolute joints, task "pose".
+        seed: of every random choice.
+        progress: called with each step; an UnableError it raises ends the search.
+        most: random poses to be tried.
+    """
+    found = search(chain, seed, progress, most)
+    refused = ""
+    for proposal in found.proposals:
+        try:
+            witness = certified(chain, close(chain, proposal.path), found.largest)
+        except RetryableError as unlucky:
+            refused = str(unlucky)
+            continue
+        if witness.verification.accepted:
+            return Searched(witness, found.record, refused, found.largest)
+        refused = witness.verification.reason
+    return Searched(None, found.record, refused, found.largest)
+
+
+def _same_path(witness: Witness, chain: Chain, largest: float) -> Witness | None:
+    """The witness for the slightly different numbers of ``chain``, if it is one."""
+    try:
+        other = certified(chain, close(chain, witness.path), largest)
+    except RetryableError:
+        return None
+    return other if other.verification.accepted else None
