@@ -14,7 +14,7 @@ from cuspaudit.geometry.torus_components import TorusComponents, torus_component
 from cuspaudit.kinematics.exact_model import ExactModel
 from cuspaudit.kinematics.polynomial_map import jacobian_determinant
 
-__all__ = ["aspect_components", "count_aspects"]
+__all__ = ["aspect_components", "count_aspects", "revolute_circles"]
 
 
 def aspect_components(model: ExactModel) -> TorusComponents:
@@ -24,13 +24,23 @@ def aspect_components(model: ExactModel) -> TorusComponents:
         DegenerateMapError: det J vanishes identically.
         UnableError: det J is linear along no circle, or a joint is prismatic.
     """
+    circles = revolute_circles(model)
+    return torus_components(model.ring, circles, jacobian_determinant(model))
+
+
+def revolute_circles(model: ExactModel) -> list[tuple[str, str]]:
+    """The variables (c_i, s_i) of each joint.
+
+    Raises:
+        UnableError: a joint is prismatic.
+    """
     circles = []
     for joint in model.joints:
         if joint.kind != "revolute":
             raise UnableError("aspects", f"joint {joint.name} is prismatic")
         c, s = joint.variables
         circles.append((c, s))
-    return torus_components(model.ring, circles, jacobian_determinant(model))
+    return circles
 
 
 def count_aspects(model: ExactModel) -> Count | None:
