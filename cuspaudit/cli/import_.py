@@ -34,6 +34,7 @@ class Form(StrEnum):
     """What `import` can write."""
 
     dh = "dh"
+    dh_modified = "dh-modified"
     poly = "poly"
     msolve = "msolve"
 
@@ -49,8 +50,9 @@ def import_(
     to: Annotated[
         Form | None,
         typer.Option(
-            help="dh: a robot file with the same forward kinematics. poly: f, R and "
-            "det J. msolve: inverse kinematics of a real pose."
+            help="dh, dh-modified: a robot file with the same forward kinematics, "
+            "standard or modified D-H. poly: f, R and det J. msolve: inverse "
+            "kinematics of a real pose."
         ),
     ] = None,
     snap: Snap = "default",
@@ -103,10 +105,11 @@ def _written(robot: Robot, form: Form, policy: SnapPolicy, seed: int) -> str:
     from cuspaudit.kinematics.export import msolve_system, poly_text
 
     chain = snap(robot.chain, policy)[0]
-    if form is Form.dh:
+    if form in (Form.dh, Form.dh_modified):
         numbers = "as in the file" if policy.name == "none" else "snapped"
         source = robot.source or f"{Path(robot.file).name}, numbers {numbers}"
-        return table_text(chain, robot.title, source)
+        dh = form is Form.dh
+        return table_text(chain, robot.title, source, "standard" if dh else "modified")
     if form is Form.poly:
         return poly_text(exact_model(chain))
     return msolve_system(exact_model(chain), seed)

@@ -1,9 +1,11 @@
-"""A chain as a robot file: standard D-H rows where they are exact, motions elsewhere.
+"""A chain as a robot file: D-H rows where they are exact, motions elsewhere.
 
 The file reads back as a chain with the same forward kinematics, number for number: no
 length and no angle is computed in floating point. A frame with its z along each axis is
 chosen; where the fixed transform between two axes is a D-H step (`dh_step`), the row
-holds it, and where it is not, the next row begins with the motions as they are.
+holds it, and where it is not, the next row begins with the motions as they are. The two
+conventions have the same frames: a twist and its length stand in the row of the joint
+before them (standard) or after them (modified).
 """
 
 from __future__ import annotations
@@ -12,6 +14,7 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
+from itertools import pairwise
 
 import yaml
 
@@ -28,6 +31,7 @@ from cuspaudit.kinematics.chain import (
     Translation,
     Vector,
 )
+from cuspaudit.kinematics.dh import Convention
 from cuspaudit.kinematics.dh_step import Step, dh_step, z_screw
 from cuspaudit.kinematics.motion_text import format_motion, format_vector
 from cuspaudit.kinematics.numbers import format_angle, format_rational
@@ -46,10 +50,18 @@ _ONTO: dict[Vector, tuple[Motion, ...]] = {
 
 @dataclass
 class _Row:
-    """A row being filled: what stands before the joint, and the step after it."""
+    """A row being filled.
+
+    Attributes:
+        joint: whose row it is.
+        before: the motions that come first.
+        lead: the step that ends at the joint's axis; its a and alpha are meant.
+        step: theta and d about the joint's axis, then a and alpha.
+    """
 
     joint: Joint
     before: tuple[Motion, ...] = ()
+    lead: Step = field(default_factory=Step)
     step: Step = field(default_factory=Step)
 
     @property
@@ -64,54 +76,88 @@ class _Row:
         return sum(self.joint.axis) < 0
 
 
-def table_text(chain: Chain, title: str = "", source: str = "") -> str:
-    """The robot file of ``chain``, in standard convention.
+def table_text(
+    chain: Chain,
+    title: str = "",
+    source: str = "",
+    convention: Convention = "standard",
+) -> str:
+    """The robot file of ``chain``.
 
     Args:
         chain: any chain.
         title: one line about the robot.
         source: where the numbers come from.
+        convention: of its D-H rows.
     """
-    rows, tool = _rows(chain)
+    rows, tool = _rows(chain, convention)
     head = {
         "name": chain.name,
         "title": title,
         "source": source,
-        "convention": "standard",
+        "convention": convention,
         "units": chain.unit,
         "task": chain.task,
         "base": chain.base,
         "tip": chain.tip,
     }
     lines = [f"{key}: {_word(value)}" for key, value in head.items() if value]
-    lines += ["joints:", *(f"  - {{{', '.join(_cells(row))}}}" for row in rows)]
+    cells = [", ".join(_cells(row, convention)) for row in rows]
+    lines += ["joints:", *(f"  - {{{row}}}" for row in cells)]
     if tool:
         lines.append(f"tool: {_list(tool)}")
     return "\n".join(lines) + "\n"
 
 
-def _rows(chain: Chain) -> tuple[list[_Row], tuple[Motion, ...]]:
+def _rows(
+    chain: Chain, convention: Convention
+) -> tuple[list[_Row], tuple[Motion, ...]]:
     """The rows, and the motions after the last one."""
     rows = [_Row(joint) for joint in chain.joints]
-    pending = Step()
-    for k, row in enumerate(rows):
+    pending = _begin(rows[0], convention)
+    for last, row in pairwise(rows):
         fixed = row.joint.before + (row.onto or ())
-        step = z_screw(fixed) if k == 0 else _step(rows[k - 1], fixed, pending)
-        if row.onto is None:
-            step = None
-        if k > 0:
-            pending = _fill(rows[k - 1], pending, step)
-        elif step is not None:
-            pending = step
+        step = None if row.onto is None else _step(last, fixed, pending)
+        row.lead = step or row.lead
+        pending = _fill(last, pending, step)
         if step is None:
-            row.before = (_back(rows[k - 1]) if k > 0 else ()) + fixed
+            row.before = _back(last) + fixed
     step = _step(rows[-1], chain.tool, pending)
     rest = _fill(rows[-1], pending, step)
     if step is None:
         return rows, _back(rows[-1]) + chain.tool
-    turn = () if rest.psi.is_zero else (Rotation(Z_AXIS, rest.psi),)
-    rise = Translation((Fraction(0), Fraction(0), rest.rise))
-    return rows, (*turn, rise) if rest.rise else turn
+    ahead = _along_x(rows[-1].step) if convention == "modified" else ()
+    return rows, ahead + _along_z(rest.psi, rest.rise)
+
+
+def _begin(row: _Row, convention: Convention) -> Step:
+    """Write what stands before the first axis; return what is left about it.
+
+    A standard row has no twist before its joint.
+    """
+    fixed = row.joint.before + (row.onto or ())
+    step = z_screw(fixed)
+    if step is None and convention == "modified":
+        step = dh_step(fixed)
+    if row.onto is None or step is None or not step.is_plain:
+        row.before = fixed
+        return Step()
+    row.lead, row.before = step, _along_z(step.theta, step.d)
+    return Step(psi=step.psi, rise=step.rise)
+
+
+def _along_z(angle: Angle, length: Fraction) -> tuple[Motion, ...]:
+    """The motions Rz(angle) Tz(length), without those that are 0."""
+    turn = () if angle.is_zero else (Rotation(Z_AXIS, angle),)
+    move = Translation((Fraction(0), Fraction(0), length))
+    return (*turn, move) if length else turn
+
+
+def _along_x(step: Step) -> tuple[Motion, ...]:
+    """The motions Tx(a) Rx(alpha), without those that are 0."""
+    turn = () if step.alpha.is_zero else (Rotation(X_AXIS, step.alpha),)
+    move = Translation((step.a, Fraction(0), Fraction(0)))
+    return (move, *turn) if step.a else turn
 
 
 def _step(row: _Row, fixed: tuple[Motion, ...], pending: Step) -> Step | None:
@@ -141,16 +187,17 @@ def _back(row: _Row) -> tuple[Motion, ...]:
     )
 
 
-def _cells(row: _Row) -> list[str]:
+def _cells(row: _Row, convention: Convention) -> list[str]:
     joint, step = row.joint, row.step
+    link = row.lead if convention == "modified" else step
     cells = [f"name: {_word(joint.name)}", f"type: {joint.kind}"]
     if row.before:
         cells.append(f"before: {_list(row.before)}")
     if row.onto is None:
         cells.append(f"axis: {format_vector(joint.axis)}")
     else:
-        cells.append(f"a: {format_rational(step.a)}")
-        cells.append(f"alpha: {format_angle(step.alpha)}")
+        cells.append(f"a: {format_rational(link.a)}")
+        cells.append(f"alpha: {format_angle(link.alpha)}")
         cells.append(f"d: {format_rational(step.d)}")
         if not step.theta.is_zero:
             cells.append(f"theta: {format_angle(step.theta)}")

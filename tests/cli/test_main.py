@@ -174,11 +174,12 @@ def test_import_prints_the_polynomial_map(capsys: pytest.CaptureFixture[str]) ->
     assert "3*c3 + 4" in out
 
 
+@pytest.mark.parametrize("form", ["dh", "dh-modified"])
 def test_import_writes_a_robot_file(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    form: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     """`import --to dh` writes a file that is audited like the URDF it came from."""
-    _, text, _ = run("import", "ur5_robot", "--to", "dh", capsys=capsys)
+    _, text, _ = run("import", "ur5_robot", "--to", form, capsys=capsys)
     robot = tmp_path / "arm.yaml"
     robot.write_text(text)
     status, out, _ = run("audit", robot, "--json", "-", capsys=capsys)

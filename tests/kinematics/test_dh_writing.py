@@ -20,7 +20,7 @@ from cuspaudit.kinematics.chain import (
     Rotation,
     Translation,
 )
-from cuspaudit.kinematics.dh import read_dh
+from cuspaudit.kinematics.dh import Convention, read_dh
 from cuspaudit.kinematics.dh_step import dh_step
 from cuspaudit.kinematics.dh_writing import table_text
 from cuspaudit.kinematics.frames import transform
@@ -29,15 +29,19 @@ from cuspaudit.kinematics.snapping import snap
 from cuspaudit.kinematics.urdf import read_urdf
 
 Back = Callable[[Chain], Chain]
+CONVENTIONS: tuple[Convention, ...] = ("standard", "modified")
 
 
-@pytest.fixture
-def back(tmp_path: Path) -> Back:
-    """The chain that the robot file of a chain is read as."""
+@pytest.fixture(params=CONVENTIONS)
+def back(tmp_path: Path, request: pytest.FixtureRequest) -> Back:
+    """The chain that the robot file of a chain is read as, in either convention."""
+    convention: Convention = request.param
 
     def read(chain: Chain) -> Chain:
         path = tmp_path / "arm.yaml"
-        path.write_text(table_text(chain), encoding="utf-8")
+        text = table_text(chain, convention=convention)
+        assert f"convention: {convention}" in text
+        path.write_text(text, encoding="utf-8")
         return read_dh(path).chain
 
     return read
@@ -115,8 +119,9 @@ def test_tables_come_back_as_tables(corpus: Path, back: Back) -> None:
     rng = np.random.default_rng(2)
     for path in sorted((corpus / "dh").glob("*.csv")):
         chain = read_robot(path).chain
-        text = table_text(snap(chain)[0])
-        assert "before" not in text and "axis" not in text, path.name
+        for convention in CONVENTIONS:
+            text = table_text(snap(chain)[0], convention=convention)
+            assert "before" not in text and "axis" not in text, path.name
         postures = rng.uniform(-1, 1, (20, len(chain.joints)))
         error = tips(back(chain), postures) - tips(chain, postures)
         assert np.abs(error).max() <= 1e-14
@@ -131,6 +136,37 @@ def test_a_ur_is_the_table_of_its_data_sheet(corpus: Path) -> None:
     assert {round(abs(float(v)), 4) for a, _, d in found for v in (a, d)} == {*lengths}
     twists = [alpha.lstrip("-") for _, alpha, _ in found]
     assert twists == ["pi/2", "0", "0", "pi/2", "pi/2", "0"]
+
+
+def test_the_same_numbers_stand_a_row_later_in_the_modified_convention(
+    corpus: Path,
+) -> None:
+    """A twist and its length are in the row after them; theta and d stay."""
+    chain = snap(next(c for c in corpus_chains(corpus) if c.name == "ur5e"))[0]
+    standard, modified = (
+        [row for row in table_text(chain, "", "", c).splitlines() if "type:" in row]
+        for c in CONVENTIONS
+    )
+    for column in ("a", "alpha"):
+        first = [cell(row, column) for row in standard]
+        second = [cell(row, column) for row in modified]
+        assert second == ["0", *first[:-1]]
+    assert [cell(r, "d") for r in standard] == [cell(r, "d") for r in modified]
+
+
+def test_the_base_and_the_tool_of_a_modified_table(back: Back) -> None:
+    """What a convention cannot say in its rows stands in before and tool."""
+    base = (
+        Translation((Fraction(0), Fraction(0), Fraction(1))),
+        Translation((Fraction(2), Fraction(0), Fraction(0))),
+        Rotation(X_AXIS, Angle(Fraction(1, 2))),
+        Rotation(Z_AXIS, Angle(radians=Fraction(1, 10))),
+    )
+    chain = Chain("arm", (Joint("j", "revolute", base),), base)
+    rng = np.random.default_rng(3)
+    postures = rng.uniform(-3, 3, (10, 1))
+    error = tips(back(chain), postures) - tips(chain, postures)
+    assert np.abs(error).max() <= 1e-14
 
 
 def cell(row: str, column: str) -> str:
