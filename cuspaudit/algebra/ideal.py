@@ -27,7 +27,7 @@ from cuspaudit.algebra.ring import Polynomial, Ring
 from cuspaudit.algebra.trigonometric import primitive
 from cuspaudit.errors import UnableError
 
-__all__ = ["LIMITS", "GroebnerBasis", "groebner_basis", "normal_form"]
+__all__ = ["LIMITS", "GroebnerBasis", "groebner_basis", "ideal_elements", "normal_form"]
 
 Exponents = tuple[int, ...]
 
@@ -95,24 +95,39 @@ def groebner_basis(
     Raises:
         UnableError: a limit was met, or the coefficients are not in Q.
     """
-    if ring.radicand is not None:
-        raise UnableError("groebner_basis", f"coefficients in Q(sqrt{ring.radicand})")
-    context = fmpz_mpoly_ctx.get(ring.variables, Ordering.degrevlex)
-    integral = [_over_z(context, primitive(ring, p)) for p in polynomials if p != 0]
-    if not integral:
-        return GroebnerBasis(ring, ())
-    given = fmpz_mpoly_vec(integral, context)
-    answer: Any = given.buchberger_naive(limits)  # its stub knows no limits
-    found, complete = answer
+    found, complete = ideal_elements(ring, polynomials, limits)
     if not complete:
         raise UnableError(
             "groebner_basis",
             f"over {limits[0]} elements, {limits[1]} terms or {limits[2]} bits",
         )
-    order = degree_reverse_context(ring)
-    reduced = (order.from_dict(g.to_dict()) for g in found.autoreduction())
-    monic = [g / g.leading_coefficient() for g in reduced]
+    monic = [g / g.leading_coefficient() for g in found]
     return GroebnerBasis(ring, tuple(sorted(monic, key=_leading_key)))
+
+
+def ideal_elements(
+    ring: Ring,
+    polynomials: Iterable[Polynomial],
+    limits: tuple[int, int, int] = LIMITS,
+) -> tuple[list[fmpq_mpoly], bool]:
+    """Generators of the ideal, and whether they are its reduced Groebner basis.
+
+    Returns:
+        Polynomials with coprime integer coefficients in the degree reverse context:
+        what Buchberger's algorithm had when it ended, or when it met a limit.
+    """
+    if ring.radicand is not None:
+        raise UnableError("groebner_basis", f"coefficients in Q(sqrt{ring.radicand})")
+    context = fmpz_mpoly_ctx.get(ring.variables, Ordering.degrevlex)
+    integral = [_over_z(context, primitive(ring, p)) for p in polynomials if p != 0]
+    if not integral:
+        return [], True
+    given = fmpz_mpoly_vec(integral, context)
+    answer: Any = given.buchberger_naive(limits)  # its stub knows no limits
+    found, complete = answer
+    order = degree_reverse_context(ring)
+    elements = found.autoreduction() if complete else found
+    return [order.from_dict(g.to_dict()) for g in elements], complete
 
 
 def normal_form(

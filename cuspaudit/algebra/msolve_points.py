@@ -21,12 +21,12 @@ from cuspaudit.algebra.msolve import msolve_text, run_msolve
 from cuspaudit.algebra.parametrization import ZeroDimensionalParametrization, empty_set
 from cuspaudit.algebra.ring import Polynomial, Ring
 from cuspaudit.algebra.union import restricted
-from cuspaudit.errors import InvalidSystemError, NotZeroDimensionalError, UnableError
+from cuspaudit.errors import InvalidSystemError, UnableError
 
 __all__ = ["msolve_points", "parse_parametrization"]
 
 PARAMETER = "parameter_t"
-_NUMBER = re.compile(r"-?\d+")
+_TOKEN = re.compile(r"'(\w+)'|(-?\d+)")
 
 
 def msolve_points(
@@ -96,18 +96,17 @@ def parse_parametrization(answer: str) -> ZeroDimensionalParametrization | None:
     (('x', 'y'), x^2 + (-9), ((-4/3)*x, x))
 
     Raises:
-        NotZeroDimensionalError: it reports infinitely many solutions.
-        UnableError: it is not an answer of msolve, or no parametrization.
+        UnableError: it reports infinitely many solutions, or is unreadable, or is no
+            parametrization.
     """
     unreadable = UnableError("msolve", f"unreadable answer {answer[:60]!r}")
-    quoted = _NUMBER.sub(lambda match: f'"{match[0]}"', answer.replace("'", ""))
-    quoted = re.sub(r"(?<=[\[ ,])([A-Za-z]\w*)", r'"\1"', quoted)
+    quoted = _TOKEN.sub(lambda match: f'"{match[1] or match[2]}"', answer)
     try:
         parsed = json.loads(quoted.strip().removesuffix(":"))
         if parsed == ["-1"]:
             return None
         if parsed[0] != "0":
-            raise NotZeroDimensionalError(1)
+            raise UnableError("msolve", "it finds infinitely many solutions")
         return _from_lists(parsed[1])
     except (ValueError, LookupError, TypeError, ZeroDivisionError) as error:
         raise unreadable from error

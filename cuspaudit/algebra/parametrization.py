@@ -8,7 +8,7 @@ What is asked of a point is answered exactly, by arithmetic modulo omega.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 from flint import arb, ctx, fmpq, fmpq_poly
@@ -129,6 +129,15 @@ class ZeroDimensionalParametrization:
     def same_points(self, other: ZeroDimensionalParametrization) -> bool:
         """Whether the two sets are equal, whatever their forms."""
         return self.degree == other.degree and self.is_subset(other)
+
+    def where_nonzero(
+        self, ring: Ring, polynomial: Polynomial
+    ) -> ZeroDimensionalParametrization:
+        """The points of Z at which ``polynomial`` is not 0."""
+        ((above, _),) = self.numerators(ring, [polynomial])
+        omega = self.omega // self.omega.gcd(above)
+        rho = tuple(x * omega.derivative() % omega for x in self.coordinates)
+        return replace(self, omega=omega, rho=rho)
 
     @cached_property
     def _real_points(self) -> tuple[RealPoint, ...]:

@@ -12,7 +12,7 @@ Two routes, the cheaper first; each result names the ground of its completeness.
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 from cuspaudit.algebra.finite_algebra import (
     FiniteAlgebra,
@@ -20,17 +20,23 @@ from cuspaudit.algebra.finite_algebra import (
     quotient_algebra,
     staircase,
 )
-from cuspaudit.algebra.ideal import groebner_basis
+from cuspaudit.algebra.ideal import groebner_basis, ideal_elements
+from cuspaudit.algebra.macaulay import bezout_number, multiples_bound
+from cuspaudit.algebra.matrix import determinant, jacobian
 from cuspaudit.algebra.msolve_points import msolve_points
 from cuspaudit.algebra.parametrization import ZeroDimensionalParametrization
 from cuspaudit.algebra.ring import Polynomial, Ring
 from cuspaudit.algebra.system import PolynomialSystem
+from cuspaudit.errors import NotZeroDimensionalError, UnableError
 
 __all__ = ["solve_zero_dimensional"]
 
-GROUND = "exact Groebner basis"
+BASIS = "exact Groebner basis"
+BEZOUT = "Bezout number met"
+MULTIPLES = "rank of multiples modulo 2^61 - 1"
 _INVERSE = "inverse_of_nonzero"
 _SMALL = 30
+_PARTIAL = (100, 1000, 1000)
 
 
 def solve_zero_dimensional(
@@ -59,34 +65,118 @@ def solve_zero_dimensional(
         NotZeroDimensionalError: there are infinitely many.
         UnableError: completeness was not proved, or the system is too large.
     """
-    ring, equations = _saturated(system, nonzero)
-    variables = system.ring.variables
-    basis = groebner_basis(ring, equations)
-    bound = len(staircase(basis))
-    if bound > _SMALL:
-        found = msolve_points(ring, equations, variables, timeout, seed)
-        if found.degree == bound:
-            return replace(found, grounds=(GROUND,))
-    return parametrization_of(
-        _kept(quotient_algebra(basis), variables), (GROUND,), seed
+    equations = [p for p in system.equations if p != 0]
+    if nonzero is not None:
+        equations = [_without_factors_of(nonzero, p) for p in equations]
+    plain = Posed(system.ring, tuple(equations), system.ring.variables)
+    if nonzero is None:
+        return _exact(plain, timeout, seed) or _by_msolve(plain, timeout, seed)
+    saturated = _saturated(plain, nonzero)
+    found = _exact(saturated, timeout, seed)
+    return (
+        found
+        or _wider(plain, nonzero, timeout, seed)
+        or _by_msolve(saturated, timeout, seed)
     )
 
 
-def _kept(algebra: FiniteAlgebra, variables: tuple[str, ...]) -> FiniteAlgebra:
-    """The same algebra without the names and matrices of other variables."""
+@dataclass(frozen=True, eq=False)
+class Posed:
+    """A system whose zeros are wanted in some of its coordinates.
+
+    Attributes:
+        ring: Q[x_1..x_m].
+        equations: nonzero.
+        variables: coordinates that separate the zeros.
+    """
+
+    ring: Ring
+    equations: tuple[Polynomial, ...]
+    variables: tuple[str, ...]
+
+
+def _exact(
+    posed: Posed, timeout: float, seed: int
+) -> ZeroDimensionalParametrization | None:
+    """The zeros by an exact Groebner basis, None when that is too large."""
+    try:
+        basis = groebner_basis(posed.ring, posed.equations)
+    except UnableError:
+        return None
+    bound = len(staircase(basis))
+    if bound > _SMALL:
+        found = _points(posed, timeout, seed)
+        if found.degree == bound:
+            return replace(found, grounds=(BASIS,))
+    return parametrization_of(_kept(quotient_algebra(basis), posed), (BASIS,), seed)
+
+
+def _wider(
+    plain: Posed, nonzero: Polynomial, timeout: float, seed: int
+) -> ZeroDimensionalParametrization | None:
+    """All zeros of the system without h != 0, then those; None when that fails."""
+    try:
+        found = _exact(plain, timeout, seed) or _by_msolve(plain, timeout, seed)
+    except (NotZeroDimensionalError, UnableError):
+        return None
+    return found.where_nonzero(plain.ring, nonzero)
+
+
+def _by_msolve(
+    posed: Posed, timeout: float, seed: int
+) -> ZeroDimensionalParametrization:
+    """The zeros msolve finds, when a bound proves that there are no others.
+
+    Raises:
+        UnableError: msolve failed, or no bound was met.
+    """
+    found = _points(posed, timeout, seed)
+    if _meets_bezout(posed, found):
+        return replace(found, grounds=(BEZOUT,))
+    elements, _ = ideal_elements(posed.ring, posed.equations, _PARTIAL)
+    for system in (elements, posed.equations):
+        if multiples_bound(posed.ring, system, found.degree, timeout / 10):
+            return replace(found, grounds=(MULTIPLES,))
+    raise UnableError(
+        "solve_zero_dimensional",
+        f"{found.degree} points found; not proved that there are no others",
+    )
+
+
+def _meets_bezout(posed: Posed, found: ZeroDimensionalParametrization) -> bool:
+    """Whether the points are as many as there can be components, and isolated."""
+    ring, equations = posed.ring, posed.equations
+    if ring.variables != found.variables or len(equations) != len(ring.variables):
+        return False
+    if found.degree != bezout_number(ring, equations):
+        return False
+    slope = determinant(ring, jacobian(ring, equations))
+    return found.where_nonzero(ring, slope).degree == found.degree
+
+
+def _points(posed: Posed, timeout: float, seed: int) -> ZeroDimensionalParametrization:
+    return msolve_points(posed.ring, posed.equations, posed.variables, timeout, seed)
+
+
+def _without_factors_of(h: Polynomial, p: Polynomial) -> Polynomial:
+    """The largest divisor of p that has no factor in common with h."""
+    common = p.gcd(h)
+    while not common.is_constant():
+        p = p / common
+        common = p.gcd(common)
+    return p
+
+
+def _kept(algebra: FiniteAlgebra, posed: Posed) -> FiniteAlgebra:
+    """The same algebra without the matrices of the variables not wanted."""
     own = dict(zip(algebra.variables, algebra.matrices, strict=True))
-    matrices = tuple(own[name] for name in variables)
-    return FiniteAlgebra(variables, matrices, algebra.one)
+    matrices = tuple(own[name] for name in posed.variables)
+    return FiniteAlgebra(posed.variables, matrices, algebra.one)
 
 
-def _saturated(
-    system: PolynomialSystem, nonzero: Polynomial | None
-) -> tuple[Ring, list[Polynomial]]:
-    """The system in Q[v, x_1..x_n] with v h = 1 added; itself without h."""
-    ring = system.ring
-    equations = [p for p in system.equations if p != 0]
-    if nonzero is None:
-        return ring, equations
-    larger = Ring([_INVERSE, *ring.variables], ring.radicand)
-    lifted = [larger.from_other(p, ring) for p in (*equations, nonzero)]
-    return larger, [*lifted[:-1], larger.gen(_INVERSE) * lifted[-1] - 1]
+def _saturated(plain: Posed, nonzero: Polynomial) -> Posed:
+    """The system in Q[v, x_1..x_n] with v h = 1 added."""
+    ring = Ring([_INVERSE, *plain.ring.variables], plain.ring.radicand)
+    *lifted, h = (ring.from_other(p, plain.ring) for p in (*plain.equations, nonzero))
+    inverse = ring.gen(_INVERSE) * h - 1
+    return Posed(ring, (*lifted, inverse), plain.variables)
