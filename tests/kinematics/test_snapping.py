@@ -308,6 +308,58 @@ def test_snapping_recovers_what_designers_meant(corpus: Path) -> None:
     assert found["kinova_gen3_6dof"] == "c"
 
 
+def triples(chain: Chain, tolerance: float) -> set[str]:
+    """The three axes in a row that meet in one point, or are parallel.
+
+    The tolerance is that of the gap between axes, twice the distance to its middle.
+    """
+    axes, found = lines(chain), set()
+    for k in range(len(axes) - 2):
+        group = axes[k : k + 3]
+        parallel = [are_parallel(*pair, tolerance) for pair in pairwise(group)]
+        numbers = f"({k + 1},{k + 2},{k + 3})"
+        if all(parallel):
+            found.add(f"parallel{numbers}")
+        elif not any(parallel) and meet_in_one_point(group, tolerance / 2):
+            found.add(f"concurrent{numbers}")
+    return found
+
+
+def test_the_literal_axes_of_all_arms_are_those_of_the_index(corpus: Path) -> None:
+    """The 79 arms, of 3 to 7 joints, have to 1e-6 the triples that the index names."""
+    index = json.loads((corpus / "urdf" / "INDEX.json").read_text())
+    words = {"3 parallel": "parallel", "concurrent triple": "concurrent"}
+    words |= dict.fromkeys(("spherical wrist", "spherical shoulder"), "concurrent")
+    for name, entry in index.items():
+        path = corpus / "urdf" / f"{name}.urdf"
+        chain = read_urdf(path, base=entry["root"], tip=entry["tip"]).chain
+        expected = {
+            words[word] + "(" + numbers
+            for word, _, numbers in (label.partition("(") for label in entry["labels"])
+            if not word.startswith("NEAR")
+        }
+        assert triples(chain, 1e-6) == expected, name
+    assert len(index) == 79
+
+
+def test_snapping_recovers_the_shoulders_of_seven_joints(corpus: Path) -> None:
+    """All public 7R arms have, snapped, the shoulder and wrist of the index."""
+    ends = {"SRS": {1, 5}, "shoulder": {1}, "wrist": {5}, "general": set()}
+    index = json.loads((corpus / "urdf" / "INDEX.json").read_text())
+    gained = set()
+    for name, entry in index.items():
+        if len(entry["dof"]) != 7:
+            continue
+        path = corpus / "urdf" / f"{name}.urdf"
+        chain = read_urdf(path, base=entry["root"], tip=entry["tip"]).chain
+        found = triples(snap(chain)[0], 1e-12)
+        expected = ends[entry["klass_snapped"].removeprefix("7R-")]
+        balls = {f"concurrent({k},{k + 1},{k + 2})" for k in (1, 5)} & found
+        assert balls == {f"concurrent({k},{k + 1},{k + 2})" for k in expected}, name
+        gained |= {name} if entry["klass"] == "7R~" else set()
+    assert gained == {"ufactory_xarm7", "realman_gen72"}
+
+
 @pytest.mark.parametrize(
     ("name", "expected"),
     [("puma560", "a"), ("irb140", "a"), ("ur5", "b"), ("jaco", "c")],
