@@ -147,7 +147,9 @@ def _six_joints(model: ExactModel, progress: Progress) -> Answer:
             reduction.why,
             ("exact tests of the hypotheses",),
             reduction,
-            aspects=Count(reduction.aspects, True) if reduction.aspects else None,
+            aspects=Count(reduction.aspects, True)
+            if reduction.aspects
+            else count_aspects(model),
         )
     regional = _three_joints(reduction.regional, progress)
     assert regional.decision is not None

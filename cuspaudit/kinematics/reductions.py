@@ -23,6 +23,8 @@ LOOKED_FOR = (
     "a spherical wrist with right-angle twists (axes 4, 5, 6 concurrent)",
     "a spherical shoulder with right-angle twists (axes 1, 2, 3 concurrent)",
     "the UR pattern (axes 2, 3, 4 parallel, a1 = a4 = a5 = 0, right-angle twists)",
+    "axes 2, 3, 4 parallel and axes 5, 6 concurrent",
+    "axes 3, 4, 5 parallel and axes 1, 2 concurrent",
 )
 
 
@@ -39,7 +41,12 @@ class Reduction:
         is_reversed: whether ``regional`` belongs to the arm taken from tip to base.
     """
 
-    kind: Literal["spherical wrist", "spherical shoulder", "UR pattern"]
+    kind: Literal[
+        "spherical wrist",
+        "spherical shoulder",
+        "UR pattern",
+        "parallel and meeting axes",
+    ]
     why: str
     regional: ExactModel | None = None
     is_reversed: bool = False
@@ -50,7 +57,13 @@ def reduce_six_joints(model: ExactModel) -> Reduction | None:
     """The first theorem whose hypotheses hold exactly for ``model``, or None."""
     if model.chain.kinds != ("revolute",) * 6:
         return None
-    for attempt in (_spherical_wrist, _spherical_shoulder, _ur_pattern):
+    for attempt in (
+        _spherical_wrist,
+        _spherical_shoulder,
+        _ur_pattern,
+        _parallel_and_meeting,
+        _meeting_and_parallel,
+    ):
         reduction = attempt(model)
         if reduction is not None:
             return reduction
@@ -146,6 +159,54 @@ def _ur_pattern(model: ExactModel) -> Reduction | None:
         "signs of the three factors of det J tell all postures of a pose apart",
         aspects=8,
     )
+
+
+def _parallel_and_meeting(model: ExactModel) -> Reduction | None:
+    """Noncuspidal: as for the UR pattern, three signs tell the postures apart.
+
+    Hypotheses: axes 2, 3, 4 parallel, neighbours distinct; axes 5 and 6 meet in a
+    point Q; axes 1 and 2, 4 and 5, 5 and 6 not parallel. Nothing is asked of a1, a4
+    or the twists 1, 4, 5.
+
+    Let u be the direction of axes 2, 3, 4 and w that of axis 1, x the coordinate along
+    u x w / |u x w| of Q from a point of axis 1, alpha_i the angle from axis i to i + 1.
+    Q, on axes 5 and 6, is at rest in link 4 and in the tip.
+
+    det J = +- sin alpha1 sin alpha4 sin alpha5 a2 a3 s3 s5 x. Take velocities at Q:
+    joints 5 and 6 give none. Subtract column 4 from 2 and 3: they become translations
+    v2, v3 across u, whose product with u is a2 a3 s3. Of the Laplace products one is
+    left, det(v1, v2, v3) det(u, z5, z6), as v2, v3 and that of joint 4 lie in a plane;
+    u . v1 = u . (w x Q) = sin alpha1 x, and det(u, z5, z6) = sin alpha4 sin alpha5 s5.
+
+    The signs fix the posture. The pose gives Q, hence w . Q and its distance from axis
+    1. In link 1, Q = x e + y e' + D u with e = u x w / |u x w|, e' = u x e; D is
+    constant, w . Q = D cos alpha1 + y sin alpha1 gives y, the distance then x^2, so
+    with its sign Q in link 1, hence theta1. Then u . z6 = cos alpha4 cos alpha5 -
+    sin alpha4 sin alpha5 cos theta5 and the sign of s5 give theta5. As s5 is not 0, z6
+    and u are not parallel; so the direction of z6 gives theta2 + theta3 + theta4, and
+    theta6 is left. Now axis 4 is placed, and joints 2 and 3 are a planar arm whose
+    elbow the sign of s3 fixes. On a nonsingular path the three signs are constant.
+    """
+    if not (_parallel(model, 2) and _parallel(model, 3) and _meet(model, 5)):
+        return None
+    if any(_coincide(model, i) for i in (2, 3)):
+        return None
+    if any(_parallel(model, i) for i in (1, 4, 5)):
+        return None
+    return Reduction(
+        "parallel and meeting axes",
+        "axes 2, 3, 4 are parallel and axes 5, 6 meet: the signs of the three factors "
+        "of det J tell all postures of a pose apart",
+    )
+
+
+def _meeting_and_parallel(model: ExactModel) -> Reduction | None:
+    """The arm taken from tip to base has parallel and meeting axes."""
+    reduction = _parallel_and_meeting(exact_model(reverse(model.chain)))
+    if reduction is None:
+        return None
+    why = reduction.why.replace("2, 3, 4", "3, 4, 5").replace("5, 6", "1, 2")
+    return replace(reduction, why=why, is_reversed=True)
 
 
 def _regional(model: ExactModel) -> ExactModel:
