@@ -21,6 +21,7 @@ from cuspaudit.geometry.graph_isotop import RoadmapGraph, graph_isotop
 from cuspaudit.geometry.sample_points import Fiber, sample_points
 from cuspaudit.kinematics.exact_model import exact_model
 from cuspaudit.kinematics.robot import Robot
+from cuspaudit.kinematics.snap_policy import DEFAULT_POLICY, SnapPolicy
 from cuspaudit.kinematics.snapping import snap
 
 __all__ = ["Figures", "figures", "figures_of"]
@@ -45,20 +46,23 @@ class Figures:
     joint: JointPlane
 
 
-def figures_of(robot: Robot, at: Point | None = None) -> Figures:
+def figures_of(
+    robot: Robot, at: Point | None = None, policy: SnapPolicy = DEFAULT_POLICY
+) -> Figures:
     """The figures of a robot, of its snapped chain.
 
     Args:
         robot: an arm of three joints, or of six with a spherical wrist or shoulder.
         at: the point whose postures are drawn, in the coordinates of the plane of
             values; by default a sample value.
+        policy: which numbers are taken for others.
 
     Raises:
         UnableError: Algorithm 1 was not run for this arm, so there is nothing to draw.
         AssumptionError: a hypothesis fails for this arm.
         InvalidInputError: ``at`` is critical, or out of reach.
     """
-    return figures(answer(exact_model(snap(robot.chain)[0])), at)
+    return figures(answer(exact_model(snap(robot.chain, policy)[0])), at)
 
 
 def figures(found: Answer, at: Point | None = None) -> Figures:

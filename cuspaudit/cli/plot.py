@@ -4,13 +4,26 @@ from __future__ import annotations
 
 from fractions import Fraction
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from cuspaudit.cli.families import Colour, Fix, X, Y, plot_family
-from cuspaudit.cli.options import Base, RobotName, TaskName, Tip
+from cuspaudit.cli.opening import open_named
+from cuspaudit.cli.options import (
+    AngleUnit,
+    Base,
+    Convention,
+    Lock,
+    RobotName,
+    Snap,
+    TaskName,
+    Tip,
+)
 from cuspaudit.errors import InvalidInputError
+
+if TYPE_CHECKING:
+    from cuspaudit.kinematics.robot import Robot
 
 __all__ = ["plot"]
 
@@ -30,6 +43,10 @@ def plot(
     base: Base = None,
     tip: Tip = None,
     task: TaskName = None,
+    lock: Lock = None,
+    convention: Convention = None,
+    angle_unit: AngleUnit = None,
+    snap: Snap = "default",
     at: At = None,
     x: X = None,
     y: Y = None,
@@ -44,18 +61,11 @@ def plot(
     if Path(robot).is_dir():
         plot_family(Path(robot), output, x=x, y=y, colour=colour, fix=fix)
     else:
-        _plot_robot(robot, output, base=base, tip=tip, task=task, at=at)
+        opened, _ = open_named(robot, base, tip, task, lock, convention, angle_unit)
+        _plot_robot(opened, output, snap, at)
 
 
-def _plot_robot(
-    robot: str,
-    output: Path,
-    *,
-    base: str | None,
-    tip: str | None,
-    task: str | None,
-    at: str | None,
-) -> None:
+def _plot_robot(robot: Robot, output: Path, snap: str, at: str | None) -> None:
     """Draw the curve of critical values and the joint plane of a robot.
 
     Raises:
@@ -63,13 +73,12 @@ def _plot_robot(
         UnableError: no three-joint arm decides the robot.
     """
     from cuspaudit.audit.figures import figures_of
-    from cuspaudit.audit.library import open_robot
     from cuspaudit.audit.writing import check_writable
+    from cuspaudit.kinematics.snap_policy import policy_from_name
     from cuspaudit.viz.plot_files import save_plot
 
     check_writable(output)
-    shown = figures_of(open_robot(robot, base=base, tip=tip, task=task), at=_value(at))
-    save_plot(shown, output)
+    save_plot(figures_of(robot, _value(at), policy_from_name(snap)), output)
     typer.echo(f"figure: {output}")
 
 

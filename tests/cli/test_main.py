@@ -266,3 +266,20 @@ def test_plot_writes_a_figure(
     assert figure.read_text().count("<path") > 10
     status, _, err = run("plot", "ur5", "-o", figure, capsys=capsys)
     assert (status, err.count("\n")) == (2, 1)
+
+
+def test_plot_takes_a_robot_as_an_audit_does(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """`plot` snaps, and reads a table that states nothing, as `audit` does."""
+    table, figure = tmp_path / "arm.csv", tmp_path / "figure.svg"
+    rows = ("1,R,0,0,1,1.5708", "2,R,0,1,2,-1.5708", "3,R,0,0,1.5,0")
+    table.write_text("\n".join(("joint,type,theta,d,a,alpha", *rows)))
+    arguments = ("plot", table, "-o", figure, "--angle-unit", "rad")
+    assert "convention" in run(*arguments, capsys=capsys)[2]
+    arguments += ("--convention", "standard")
+    assert run(*arguments, capsys=capsys)[0] == 0
+    assert "cuspidal" in figure.read_text()
+    status, _, err = run(*arguments, "--snap", "loose", capsys=capsys)
+    assert status == 2
+    assert "give --snap none" in err
