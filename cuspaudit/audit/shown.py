@@ -1,51 +1,175 @@
-"""Postures to look at when there is no path: those of one pose, one aspect a colour."""
+"""Postures to look at when there is no path: those of one pose, one aspect a colour.
+
+The postures are found in floating point, for drawing only; the aspect of each is told
+by the exact engine.
+"""
 
 from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from cuspaudit.audit.answer import Answer
-from cuspaudit.audit.lift import lift_position, lift_wrist
-from cuspaudit.audit.report import Audit
+from cuspaudit.audit.aspects import aspect_components
+from cuspaudit.audit.joint_surface import JointSurface
+from cuspaudit.audit.lift import lift_position, lift_wrist, wrist_middle
+from cuspaudit.cuspidality.decision import Decision
 from cuspaudit.cuspidality.witness import SurfacePath, posture_angles
-from cuspaudit.errors import RetryableError
-from cuspaudit.kinematics.chain import reverse
+from cuspaudit.errors import RetryableError, UnableError
+from cuspaudit.geometry.sample_points import Fiber
+from cuspaudit.geometry.torus_components import TorusComponents
+from cuspaudit.kinematics.chain import Chain, reverse
+from cuspaudit.kinematics.exact_model import ExactModel
+from cuspaudit.kinematics.export import circle_names
+from cuspaudit.kinematics.frames import angle_value
+from cuspaudit.kinematics.postures import PostureSolver, is_even
 
-__all__ = ["shown_postures"]
+__all__ = ["Shown", "shown_postures"]
 
 Array = NDArray[np.float64]
+Label = tuple[int, ...]
+_POSES = 64
 
 
-def shown_postures(audit: Audit) -> tuple[list[list[float]], list[int]]:
-    """Postures of one pose and the number of the aspect of each.
+@dataclass(frozen=True)
+class Shown:
+    """Postures, of one pose where there are several.
 
-    For a three-joint arm, or one reduced to it, all the postures of the sample value
-    with the most of them (with a wrist, one of the two it has each time). Otherwise
-    one posture, with every joint at 0.2 rad or a fifth of a unit.
+    Attributes:
+        postures: joint values, rad or the chain's unit.
+        aspects: the name of the aspect of each; None where they are not told apart.
     """
-    answer = audit.answer
-    if answer.decision is None:
-        return [[0.2] * len(audit.chain.joints)], [0]
-    fiber = max(answer.decision.samples, key=lambda fiber: len(fiber.postures))
-    ends = [posture_angles(answer.decision, p) for p in fiber.postures]
-    postures, groups = [], []
+
+    postures: Sequence[Sequence[float]]
+    aspects: Sequence[str] | None
+
+
+def shown_postures(answer: Answer, seed: int = 0) -> Shown:
+    """The postures of a pose that has many, sorted by aspect.
+
+    Those of a sample value for a three-joint arm or one reduced to it; those of one of
+    a few random poses for another arm of six revolute joints. Otherwise one posture,
+    with every joint at 0.2 rad or a fifth of a unit.
+
+    Args:
+        answer: of the exact engine, for a chain whose task is square.
+        seed: of the random poses.
+    """
+    try:
+        if answer.decision is None:
+            return _of_a_pose(answer.model, seed)
+        return _of_a_sample(answer, answer.decision)
+    except UnableError:
+        return Shown([[0.2] * len(answer.model.chain.joints)], None)
+
+
+def _of_a_pose(model: ExactModel, seed: int) -> Shown:
+    """The postures of the pose with the most of them, far from singular.
+
+    Raises:
+        UnableError: the arm has not six revolute joints, or resists elimination.
+    """
+    solver = PostureSolver.of(model.chain)
+    random = np.random.default_rng(seed).uniform(-np.pi, np.pi, (_POSES, 6))
+    found = solver.solve(solver.poses(random))
+    heights = [solver.determinants(postures) for postures in found]
+    whole = [k for k, height in enumerate(heights) if height.size and is_even(height)]
+    if not whole:
+        raise UnableError("postures", "no pose was found with all its postures")
+    best = max(whole, key=lambda k: (len(found[k]), np.abs(heights[k]).min()))
+    try:
+        components = aspect_components(model)
+    except UnableError:
+        order = np.argsort(heights[best] < 0, kind="stable")
+        return Shown(found[best][order].tolist(), None)
+    return _named(found[best], [_label(model, components, q) for q in found[best]])
+
+
+def _label(model: ExactModel, components: TorusComponents, posture: Array) -> Label:
+    """The aspect of a posture.
+
+    Raises:
+        UnableError: the posture is too near a singular one to tell.
+    """
+    zeros = [angle_value(joint.zero) for joint in model.joints]
+    turned = (posture + zeros).tolist()
+    label = components.component_at(dict(zip(circle_names(model), turned, strict=True)))
+    if label is None:
+        raise UnableError("postures", "a posture is too near a singular one to tell")
+    return label
+
+
+def _named(postures: Array, labels: Sequence[Label]) -> Shown:
+    """The postures sorted by label, the labels numbered from 1."""
+    order = sorted(range(len(labels)), key=lambda i: labels[i])
+    numbers = {label: n for n, label in enumerate(sorted(set(labels)), 1)}
+    names = [f"aspect {numbers[labels[i]]}" for i in order]
+    return Shown([postures[i].tolist() for i in order], names)
+
+
+def _of_a_sample(answer: Answer, decision: Decision) -> Shown:
+    """The postures of the sample value with the most of them, far from singular.
+
+    With a wrist each aspect of the three joints is two of the arm's, one for either
+    sign of det J: for either side of the wrist [kinematics.reductions].
+    """
+    reduction = answer.reduction
+    model = reduction.regional if reduction else None
+    surface = JointSurface(decision, model or answer.model)
+
+    def angles(fiber: Fiber) -> Array:
+        found = [posture_angles(decision, p) for p in fiber.postures]
+        return np.array(found).reshape(-1, 2)
+
+    def rank(fiber: Fiber) -> tuple[int, float]:
+        heights = surface.delta(surface.points_at(angles(fiber)))
+        return len(heights), float(np.abs(heights).min(initial=np.inf))
+
+    fiber = max(decision.samples, key=rank)
+    ends = angles(fiber)
+    postures, aspects = [], []
     for end, posture in zip(ends, fiber.postures, strict=True):
         path = SurfacePath(np.array([ends[0], end]), 1, 1.0, 1.0, 1.0)
         try:
-            postures.append([float(v) for v in _last(answer, path)])
+            postures.append(_last(answer, path))
         except RetryableError:
             continue
-        groups.append(answer.decision.graph.aspect(posture))
-    return postures, groups
+        aspects.append(decision.graph.aspect(posture) + 1)
+    if reduction is not None:
+        postures += list(_turned_over(answer, np.array(postures)))
+        aspects += [aspect + decision.aspects for aspect in aspects]
+    order = np.argsort(aspects, kind="stable")
+    names = [f"aspect {aspects[i]}" for i in order]
+    return Shown([postures[i].tolist() for i in order], names)
 
 
 def _last(answer: Answer, path: SurfacePath) -> Array:
     """The posture of all joints at the end of a two-point path of joints 2 and 3."""
-    reduction, chain = answer.reduction, answer.model.chain
+    reduction = answer.reduction
     if reduction is None or reduction.regional is None:
         return np.asarray(lift_position(answer.model, path)[-1])
     regional = lift_position(reduction.regional, path)
-    if reduction.is_reversed:
-        return np.asarray(lift_wrist(reverse(chain), regional, (0.0,))[-1, ::-1])
-    return np.asarray(lift_wrist(chain, regional, (0.0,))[-1])
+    lifted = lift_wrist(_wrist_last(answer), regional, (0.0,))[-1]
+    return np.asarray(lifted[::-1] if reduction.is_reversed else lifted)
+
+
+def _wrist_last(answer: Answer) -> Chain:
+    """The chain of a wrist arm, taken from tip to base if its wrist comes first."""
+    chain, reduction = answer.model.chain, answer.reduction
+    return reverse(chain) if reduction and reduction.is_reversed else chain
+
+
+def _turned_over(answer: Answer, postures: Array) -> Array:
+    """The postures with the wrist turned over: joints 4 and 6 by pi, 5 mirrored.
+
+    The mirror is the wrist's singularity, a quarter turn from its middle.
+    """
+    step = -1 if answer.reduction and answer.reduction.is_reversed else 1
+    other = postures[:, ::step].copy()
+    middle = wrist_middle(_wrist_last(answer), other[0, :3])
+    other[:, 4] = 2 * middle - np.pi - other[:, 4]
+    other[:, 3:] += np.array([np.pi, 0.0, np.pi])
+    return np.asarray((np.remainder(other + np.pi, 2 * np.pi) - np.pi)[:, ::step])

@@ -57,7 +57,8 @@ def page_text(record: Mapping[str, Any], result: Audit, proof: str | None) -> st
         chain = result.witness.chain
         frames = sample_path(chain, result.witness.path.tolist())
     else:
-        frames = sample_postures(chain, *shown_postures(result))
+        shown = shown_postures(result.answer, result.seed)
+        frames = sample_postures(chain, shown.postures, shown.aspects)
     share = example_robot_data()
     shapes = (
         visuals(result.robot, [share] if share else []) if result.robot.urdf else ()

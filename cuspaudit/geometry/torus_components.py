@@ -129,6 +129,13 @@ class TorusComponents:
             label += own
         return label
 
+    def component_at(self, angles: Mapping[Circle, float]) -> Label | None:
+        """The same for a point given by its angle on every circle, in rad."""
+        point: dict[str, arb] = {}
+        for (c, s), angle in angles.items():
+            point |= {c: arb(angle).cos(), s: arb(angle).sin()}
+        return self.component(point)
+
     def connected(self, p: Mapping[str, arb], q: Mapping[str, arb]) -> bool | None:
         """Whether two points lie in one component; None when a label is missing."""
         first, second = self.component(p), self.component(q)

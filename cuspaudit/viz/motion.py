@@ -31,15 +31,15 @@ class PathFrames:
         postures: (m, n) joint values, rad or the chain's unit.
         tips: (m, 4, 4) frames of the tip in base coordinates.
         determinants: (m,) det J of the geometric Jacobian, in floating point.
-        groups: one integer a posture, postures of one colour sharing it; only for
-            separate postures.
+        groups: what each posture is called together with those of its colour, for
+            instance its aspect; only for separate postures.
         is_path: whether the postures follow a path, or stand each for itself.
     """
 
     postures: Matrix
     tips: Matrix
     determinants: Matrix
-    groups: tuple[int, ...]
+    groups: tuple[str, ...]
     is_path: bool
 
     @property
@@ -83,14 +83,14 @@ def sample_path(
 def sample_postures(
     chain: Chain,
     postures: Sequence[Sequence[float]],
-    groups: Sequence[int] | None = None,
+    groups: Sequence[str] | None = None,
 ) -> PathFrames:
     """Take ``postures`` as they are, each standing for itself.
 
     Args:
         chain: a chain of n joints.
         postures: at least one joint vector.
-        groups: one integer a posture, for instance its aspect; postures of one group
+        groups: one name a posture, for instance its aspect; postures of one group
             get one colour. By default the sign of det J.
 
     Returns:
@@ -102,7 +102,7 @@ def sample_postures(
     """
     found = _frames(chain, _joint_vectors(chain, postures, least=1), (), is_path=False)
     if groups is None:
-        groups = [int(value < 0) for value in found.determinants]
+        groups = ["det J > 0" if d > 0 else "det J < 0" for d in found.determinants]
     if len(groups) != len(found.postures):
         raise InvalidInputError(
             file=chain.name,
@@ -153,7 +153,7 @@ def _weights(chain: Chain) -> Matrix:
 
 
 def _frames(
-    chain: Chain, postures: Matrix, groups: tuple[int, ...], *, is_path: bool
+    chain: Chain, postures: Matrix, groups: tuple[str, ...], *, is_path: bool
 ) -> PathFrames:
     tips = np.array([frames(chain, list(posture))[-1] for posture in postures])
     values = np.array([_determinant(chain, list(posture)) for posture in postures])

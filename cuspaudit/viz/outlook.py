@@ -71,14 +71,17 @@ class Outlook:
     def ghosts(self, colours: Sequence[str]) -> list[dict[str, Any]]:
         """Each ghost's posture, colour, label, and the point its label stands at."""
         keys, result = self._keys, []
+        is_path = self.shown.is_path
+        groups = ("A", "B") if is_path else self.shown.groups
+        ranks = {group: i for i, group in enumerate(dict.fromkeys(groups))}
         for order, index in enumerate(self.ghost_indices()):
-            group = order if self.shown.is_path else self.shown.groups[order]
-            name = ("A", "B")[order] if self.shown.is_path else str(order + 1)
+            group = groups[order]
             result.append(
                 {
                     "index": index,
-                    "colour": colours[group % len(colours)],
-                    "label": name,
+                    "colour": colours[ranks[group] % len(colours)],
+                    "label": group if is_path else str(order + 1),
+                    "group": group,
                     "at": [round(float(x), 4) for x in _loneliest(keys, order)],
                 }
             )

@@ -40,7 +40,10 @@ COLOURS = {
     "z": 0x2F62D9,
 }
 TARGET, TRACE, GRID = 0xB5179E, 0x8250C4, 0x8A94A0
-GHOSTS = ("#12908e", "#e07b1a", "#7a5bd0", "#c2417c", "#5f8a1d", "#3a78c9")
+GHOSTS = (
+    *("#12908e", "#e07b1a", "#7a5bd0", "#c2417c"),
+    *("#5f8a1d", "#3a78c9", "#b5882a", "#8a6a5c"),
+)
 
 
 @dataclass(frozen=True, slots=True)

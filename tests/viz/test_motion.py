@@ -45,7 +45,7 @@ def test_det_j_does_not_depend_on_the_unit_but_for_its_power() -> None:
 def test_single_postures_are_grouped_by_the_sign_of_det_j() -> None:
     """Without aspects given, one colour stands for one sign of det J."""
     shown = sample_postures(slider_chain(), [[0, 0, 100], [1, 5, -400], [2, 0, 50]])
-    assert shown.groups == (0, 1, 0)
+    assert shown.groups == ("det J > 0", "det J < 0", "det J > 0")
     assert not shown.is_path
 
 
@@ -61,4 +61,4 @@ def test_what_is_no_path_is_refused(path: list[list[float]]) -> None:
 def test_groups_are_one_a_posture() -> None:
     """Groups that do not fit the postures are refused."""
     with pytest.raises(InvalidInputError, match="2 groups for 1 postures"):
-        sample_postures(issac_chain(), [[0, 0, 0]], [1, 2])
+        sample_postures(issac_chain(), [[0, 0, 0]], ["1", "2"])

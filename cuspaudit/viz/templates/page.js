@@ -6,6 +6,7 @@
   const heights = read("heights");
   const last = data.postures.length - 1;
   const pane = get("pane");
+  const others = get("others"); // null when there are none, or a path
   let place = 0; // along the postures, 0 to last
   let scene = null; // null without WebGL: the numbers still follow the slider
 
@@ -63,7 +64,7 @@
     };
     if (!data.isPath) {
       const ghost = data.ghosts[Math.round(place)];
-      return [`Posture ${ghost.label} of ${last + 1}`];
+      return [`Posture ${ghost.label} of ${last + 1}, ${ghost.group}`];
     }
     const end = place < 1e-6 ? "A" : place > last - 1e-6 ? "B" : "";
     const far = between(data.distances);
@@ -145,6 +146,7 @@
         ...common, ...back, color: ghost.colour, opacity: data.isPath ? 0.5 : 0.42,
         depthWrite: false,
       });
+      group.tint = tint;
       [depth, tint].forEach((material, pass) => {
         const copy = this.arm.clone(true);
         copy.traverse((node) => {
@@ -173,9 +175,30 @@
     show(posture) {
       this.pose(this.nodes, posture);
       this.ghosts.forEach((group, i) => {
-        group.visible = Math.abs(place - data.ghosts[i].index) > 0.02;
+        const apart = Math.abs(place - data.ghosts[i].index) > 0.02;
+        group.visible = apart && (!others || others.checked);
       });
       this.viewer.set_dirty();
+    }
+
+    // The arm in one posture, in the colour of its ghost, on a canvas of its own.
+    portrait(wanted) {
+      const { viewer, ghosts, arm } = this;
+      const seen = ghosts.map((group) => group.visible);
+      const { tint } = ghosts[wanted], { opacity } = tint;
+      arm.visible = false;
+      ghosts.forEach((group, i) => (group.visible = i === wanted));
+      tint.opacity = 0.95;
+      viewer.renderer.render(viewer.scene, viewer.camera);
+      const picture = document.createElement("canvas");
+      picture.width = 360;
+      picture.height = Math.round((360 * pane.clientHeight) / pane.clientWidth);
+      const { width, height } = picture;
+      picture.getContext("2d").drawImage(viewer.renderer.domElement, 0, 0, width, height);
+      arm.visible = true;
+      ghosts.forEach((group, i) => (group.visible = seen[i]));
+      tint.opacity = opacity;
+      return picture.toDataURL();
     }
 
     // ---- camera: meshcat's camera lives where y is up
@@ -290,6 +313,29 @@
     }
   }
 
+  // ---- the postures side by side
+
+  const gallery = get("gallery");
+  const tiles = gallery ? [...gallery.querySelectorAll("button")] : [];
+
+  // One portrait a frame, so that the page can be used meanwhile.
+  function hangPortrait(i) {
+    if (i < tiles.length) {
+      tiles[i].querySelector("img").src = scene.portrait(i);
+      tiles[i].addEventListener("click", () => go(data.ghosts[i].index));
+      return void requestAnimationFrame(() => hangPortrait(i + 1));
+    }
+    scene.viewer.set_dirty();
+    gallery.dataset.ready = "yes";
+  }
+
+  function markTile() {
+    tiles.forEach((tile, i) => {
+      if (data.ghosts[i].index === Math.round(place)) tile.setAttribute("aria-current", "true");
+      else tile.removeAttribute("aria-current");
+    });
+  }
+
   // ---- one clock for arm, slider, strip and table
 
   const slider = get("slider");
@@ -300,6 +346,7 @@
     if (!fromSlider) slider.value = String(Math.round(place * scaleOf));
     if (scene) scene.show(between(data.postures));
     showNumbers();
+    markTile();
   }
 
   const play = get("play");
@@ -373,8 +420,13 @@
     pane.parentElement.classList.add("failed");
     console.warn("no picture:", error);
   }
+  if (others) others.addEventListener("change", () => go(place));
+  if (scene && gallery) {
+    gallery.hidden = false;
+    requestAnimationFrame(() => hangPortrait(0));
+  }
   go(0);
   const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
   if (play && scene && !still) setPlaying(true);
-  document.documentElement.dataset.ready = "yes";
+  document.documentElement.dataset.ready = performance.now().toFixed(0); // ms
 })();
