@@ -25,7 +25,7 @@ from cuspaudit.algebra.ring import Polynomial, Ring
 from cuspaudit.algebra.univariate import Univariate, real_root_balls
 from cuspaudit.errors import UnableError
 
-__all__ = ["sample_points_rational"]
+__all__ = ["project", "sample_points_rational"]
 
 Point = tuple[fmpq, ...]
 
@@ -63,10 +63,10 @@ def _lift(
     if not below:
         yield from ((x,) for x in _between(ring, polynomials, last, accept, ()))
         return
-    projected = _project(ring, polynomials, last)
+    projected = project(ring, polynomials, last)
     if any(p == 0 for p in projected):
         polynomials = rational_factors(ring, polynomials)
-        projected = _project(ring, polynomials, last)
+        projected = project(ring, polynomials, last)
     projected = square_free_factors(ring, projected)
     above: list[fmpq] = []
 
@@ -83,7 +83,7 @@ def _lift(
         yield from ((*point, x) for x in above)
 
 
-def _project(ring: Ring, polynomials: list[Polynomial], name: str) -> list[Polynomial]:
+def project(ring: Ring, polynomials: list[Polynomial], name: str) -> list[Polynomial]:
     """The zeros of the result contain every place where the roots change order.
 
     One of them is 0 exactly when the input has a multiple or a common factor.

@@ -1,0 +1,328 @@
+"""The generic fiber of a map: all points over a value as roots of one polynomial.
+
+V = {f = 0} in R^n has dimension d and R maps V to R^d. For a linear form t = lambda(x)
+that tells the points of a generic fiber apart there are omega, rho_1..rho_n in
+Q[y_1..y_d][t] with, on V and for y = R(x),
+
+    omega(lambda(x); y) = 0   and   omega'(lambda(x); y) x_i = rho_i(lambda(x); y),
+
+' being the derivative in t. They are the zero-dimensional parametrization of the paper
+over the field Q(y). However they were found, these identities are proved: both sides
+are reduced modulo <f>, remainder 0.
+
+**Theorem.** Let lc and disc be the leading coefficient and the discriminant of omega in
+t, and q in C^d with lc(q) disc(q) != 0. Then lambda tells the points of the fiber over
+q apart and embeds it in the roots of omega(.; q); at each point of it jac(f, R) has
+rank n; and R is proper over a neighbourhood of q.
+
+Proof. The points lie at x_i = rho_i / omega' of roots t of omega, whence the first
+claim, and t is bounded near q, whence the last. Let v be in the kernel of jac(f, R) at
+a point x of the fiber. The identities hold modulo <f>; their derivatives along v are
+omega' lambda(v) = 0 and omega' v_i = (a multiple of) lambda(v). So v = 0. QED
+
+Hence over a connected component of {lc disc != 0} in R^d, R is a covering whose sheets
+are numbered by the increasing real roots t. Conversely, if over one q all roots of
+omega are points of V (checked by exact substitution), they are so over every q with
+lc(q) disc(q) != 0: each point moves with q, by the rank, and f(rho / omega') = 0 on an
+open set is an identity modulo omega.
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+from flint import arb, arb_poly, ctx, fmpq, fmpq_poly
+
+from cuspaudit.algebra.elimination import discriminant, leading_coefficient
+from cuspaudit.algebra.elimination_basis import propose_elimination
+from cuspaudit.algebra.ideal import groebner_basis
+from cuspaudit.algebra.ring import Polynomial, Ring
+from cuspaudit.algebra.system import PolynomialMap, PolynomialSystem
+from cuspaudit.algebra.univariate import PRECISIONS, Univariate, real_balls
+from cuspaudit.errors import DegenerateMapError, PrecisionError, UnableError
+
+__all__ = ["GenericFiber", "generic_fiber"]
+
+_FORMS = 24
+
+
+@dataclass(frozen=True, eq=False)
+class GenericFiber:
+    """The fibers of R, parametrized over Q(y).
+
+    Attributes:
+        variety: V = {f = 0}.
+        mapping: R = (r_1, ..., r_d).
+        ring: Q[t, y_1..y_d].
+        form: the coefficients of lambda.
+        omega: in Q[y][t], square-free over Q(y); not always monic.
+        rho: rho_1..rho_n in Q[y][t].
+    """
+
+    variety: PolynomialSystem
+    mapping: PolynomialMap
+    ring: Ring
+    form: tuple[int, ...]
+    omega: Polynomial
+    rho: tuple[Polynomial, ...]
+
+    @property
+    def values(self) -> tuple[str, ...]:
+        """The names of y_1..y_d."""
+        return self.ring.variables[1:]
+
+    @cached_property
+    def leading(self) -> Polynomial:
+        """The leading coefficient of omega in t."""
+        return leading_coefficient(self.ring, self.omega, self.ring.variables[0])
+
+    @cached_property
+    def discriminant(self) -> Polynomial:
+        """The discriminant of omega in t."""
+        return discriminant(self.ring, self.omega, self.ring.variables[0])
+
+    @property
+    def degree(self) -> int:
+        """The number of complex points over a generic value."""
+        return int(self.omega.degrees()[0])
+
+    def is_regular(self, value: Sequence[fmpq]) -> bool:
+        """Whether lc disc is not 0 at the value."""
+        omega = self._special(self.omega, value)
+        return bool(
+            omega.degree() == self.degree and omega.gcd(omega.derivative()) == 1
+        )
+
+    def over(self, value: Sequence[fmpq]) -> tuple[fmpq_poly, tuple[fmpq_poly, ...]]:
+        """(omega, rho) over a regular value, in Q[t]."""
+        rho = tuple(self._special(p, value) for p in self.rho)
+        return self._special(self.omega, value), rho
+
+    def sheets(self, value: Sequence[fmpq]) -> list[tuple[arb, ...]]:
+        """The real points over a regular value, by increasing lambda.
+
+        Returns:
+            Disjoint balls of (x_1..x_n) at the working precision or somewhat more;
+            complete.
+        """
+        omega, rho = self.over(value)
+        slope, saved = omega.derivative(), ctx.prec
+        try:
+            for ctx.prec in (saved, *(bits for bits in PRECISIONS if bits > saved)):
+                roots = real_balls(omega.numer())
+                slopes = [arb_poly(slope)(t) for t in roots]
+                if not any(s.contains(0) for s in slopes):
+                    pairs = list(zip(roots, slopes, strict=True))
+                    return [tuple(arb_poly(p)(t) / s for p in rho) for t, s in pairs]
+        finally:
+            ctx.prec = saved
+        raise PrecisionError("points of a fiber", PRECISIONS[-1])
+
+    def _special(self, polynomial: Polynomial, value: Sequence[fmpq]) -> fmpq_poly:
+        at = dict(zip(self.values, value, strict=True))
+        special = self.ring.substitute(polynomial, at)
+        name = self.ring.variables[0]
+        return Univariate.from_polynomial(self.ring, special, name).rational
+
+
+def generic_fiber(
+    variety: PolynomialSystem,
+    mapping: PolynomialMap,
+    timeout: float = 60.0,
+    seed: int = 1,
+) -> GenericFiber:
+    """The fibers of R: V -> R^d as roots of one polynomial, proved.
+
+    The polynomials are proposed by elimination with dual numbers: modulo e_i e_j = 0
+    the points of a fiber satisfy omega(t) + sum_i e_i b_i(t) = 0 with
+    t = lambda(x) + sum_i e_i x_i; comparing coefficients, omega' x_i = -b_i.
+
+    Args:
+        variety: V = {f = 0} over Q; assumption (A) of the paper is assumed.
+        mapping: R, dominant on every component of V.
+        timeout: in s, for every elimination.
+        seed: of msolve's random choices.
+
+    Raises:
+        DegenerateMapError: the values of R on V lie on a hypersurface.
+        UnableError: no linear form among those tried could be proved to do.
+    """
+    if variety.ring.radicand is not None:
+        raise UnableError("generic_fiber", "coefficients outside Q")
+    ring = Ring(_fresh(variety.ring, len(mapping.components)))
+    reason = "no linear form tells the points of a generic fiber apart"
+    for form in itertools.islice(_forms(len(variety.ring.variables)), _FORMS):
+        found = _propose(variety, mapping, ring, form, timeout, seed)
+        if found is None:
+            continue
+        fiber = GenericFiber(variety, mapping, ring, form, *found)
+        if fiber.discriminant == 0:
+            continue
+        if not _is_complete(fiber):
+            reason = "the proposed fiber is not one modulo the equations of V"
+            continue
+        if not _is_sound(fiber):
+            reason = "the proposed fiber has points outside V"
+            continue
+        return fiber
+    raise UnableError("generic_fiber", reason)
+
+
+def _fresh(ring: Ring, dimension: int) -> list[str]:
+    """Names t, y1..yd, underlined until they are no variables of ``ring``."""
+    names = ["t", *(f"y{i + 1}" for i in range(dimension))]
+    while set(names) & set(ring.variables):
+        names = [f"{name}_" for name in names]
+    return names
+
+
+def _forms(size: int) -> Iterator[tuple[int, ...]]:
+    """Coordinates first, then forms with more and larger coefficients."""
+    for i in range(size):
+        yield tuple(int(i == j) for j in range(size))
+    for k in itertools.count(1):
+        yield tuple(1 + (k * (j + 1) * (j + 2)) % 7 for j in range(size))
+        yield tuple(((j + k) * (j + 1)) % 11 - 3 for j in range(size))
+
+
+def _propose(
+    variety: PolynomialSystem,
+    mapping: PolynomialMap,
+    ring: Ring,
+    form: tuple[int, ...],
+    timeout: float,
+    seed: int,
+) -> tuple[Polynomial, tuple[Polynomial, ...]] | None:
+    names = variety.ring.variables
+    duals = [f"e{i}_" * 2 for i in range(len(names))]
+    big = Ring([*names, *ring.variables, *duals])
+    x = [big.gen(name) for name in names]
+    e = [big.gen(name) for name in duals]
+    values = zip(ring.variables[1:], mapping.components, strict=True)
+    line = big.total(c * g for c, g in zip(form, x, strict=True))
+    system = [
+        *(big.from_other(p, variety.ring) for p in variety.equations),
+        *(big.gen(y) - big.from_other(r, variety.ring) for y, r in values),
+        big.gen(ring.variables[0])
+        - line
+        - big.total(a * b for a, b in zip(e, x, strict=True)),
+        *(a * b for a, b in itertools.combinations_with_replacement(e, 2)),
+    ]
+    basis = propose_elimination(big, system, len(names), timeout, seed)
+    return _read(big, ring, duals, basis)
+
+
+def _read(
+    big: Ring, ring: Ring, duals: Sequence[str], basis: Sequence[Polynomial]
+) -> tuple[Polynomial, tuple[Polynomial, ...]] | None:
+    """(omega, rho) from the element of the basis of the least degree in t."""
+    zero = (0,) * len(duals)
+    parts = [big.coefficients(p, duals) for p in basis]
+    useful = [part for part in parts if zero in part]
+    t = ring.variables[0]
+    place = big.variables.index(t)
+
+    def size(part: Mapping[tuple[int, ...], Polynomial]) -> tuple[int, int]:
+        return int(part[zero].degrees()[place]), int(part[zero].total_degree())
+
+    best = min(useful, key=size, default=None)
+    if best is None:
+        return None
+    if best[zero].is_constant() or size(best)[0] == 0:
+        raise DegenerateMapError("the values of the map fill no open set")
+    units = [tuple(int(i == j) for j in range(len(duals))) for i in range(len(duals))]
+    none = big.constant(0)
+    omega = ring.from_other(best[zero], big)
+    rho = (-ring.from_other(best.get(unit, none), big) for unit in units)
+    return omega, tuple(rho)
+
+
+def _is_complete(fiber: GenericFiber) -> bool:
+    """Prove the two identities of the module on V, and that lambda is the form."""
+    ring, x = fiber.variety.ring, fiber.variety.ring.gens
+    line = ring.total(c * g for c, g in zip(fiber.form, x, strict=True))
+    at = (line, *fiber.mapping.components)
+    slope = fiber.omega.derivative(fiber.ring.variables[0])
+
+    def pulled(polynomial: Polynomial) -> Polynomial:
+        return _compose(fiber, polynomial, fiber.ring.variables, at)
+
+    slope_at = pulled(slope)
+    return _vanishes(fiber, pulled(fiber.omega)) and all(
+        _vanishes(fiber, slope_at * g - pulled(p))
+        for g, p in zip(x, fiber.rho, strict=True)
+    )
+
+
+def _is_sound(fiber: GenericFiber) -> bool:
+    """Whether all roots of omega over some regular value are points of V over it."""
+    for value in _values(len(fiber.values)):
+        if fiber.is_regular(value):
+            break
+    omega, rho = fiber.over(value)
+    inverse = omega.derivative().xgcd(omega)[1]
+    x = [p * inverse % omega for p in rho]
+    targets = zip(fiber.mapping.components, value, strict=True)
+    system = [*fiber.variety.equations, *(r - q for r, q in targets)]
+    line = sum((c * p for c, p in zip(fiber.form, x, strict=True)), fmpq_poly([0]))
+    return (line - fmpq_poly([0, 1])) % omega == 0 and all(
+        _at_residues(p, x, omega) == 0 for p in system
+    )
+
+
+def _at_residues(p: Polynomial, x: Sequence[fmpq_poly], omega: fmpq_poly) -> fmpq_poly:
+    """p(x) in Q[t] / omega."""
+    total = fmpq_poly([0])
+    for exponents, coefficient in p.to_dict().items():
+        term = fmpq_poly([coefficient])
+        for base, exponent in zip(x, exponents, strict=True):
+            for _ in range(int(exponent)):
+                term = term * base % omega
+        total += term
+    return total % omega
+
+
+def _values(dimension: int) -> Iterator[tuple[fmpq, ...]]:
+    """Rational points of R^d on a curve that no hypersurface holds for ever."""
+    for k in itertools.count(1):
+        yield tuple(fmpq(k**j + 1, 2 * j + 1) for j in range(1, dimension + 1))
+
+
+def _compose(
+    fiber: GenericFiber,
+    polynomial: Polynomial,
+    names: Sequence[str],
+    at: Sequence[Polynomial],
+) -> Polynomial:
+    """``polynomial`` with ``names`` replaced by functions on V, by Horner's rule."""
+    ring = fiber.variety.ring
+    if not names:
+        return ring.constant(polynomial.leading_coefficient() if polynomial else 0)
+    parts = fiber.ring.coefficients(polynomial, names[:1])
+    total = ring.constant(0)
+    for power in range(max(parts, default=(0,))[0], -1, -1):
+        total = _reduce(fiber, total * at[0])
+        if (power,) in parts:
+            total += _compose(fiber, parts[power,], names[1:], at[1:])
+    return _reduce(fiber, total)
+
+
+def _vanishes(fiber: GenericFiber, polynomial: Polynomial) -> bool:
+    """Whether a polynomial belongs to <f>: by plain division, else by a basis."""
+    rest = _reduce(fiber, polynomial)
+    if rest == 0 or len(fiber.variety.equations) < 2:
+        return bool(rest == 0)
+    return groebner_basis(fiber.variety.ring, fiber.variety.equations).contains(rest)
+
+
+def _reduce(fiber: GenericFiber, polynomial: Polynomial) -> Polynomial:
+    """Another representative modulo <f>, by division."""
+    previous = None
+    while previous != polynomial:
+        previous = polynomial
+        for f in fiber.variety.equations:
+            polynomial = divmod(polynomial, f)[1]
+    return polynomial
