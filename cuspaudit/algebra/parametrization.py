@@ -13,8 +13,14 @@ from functools import cached_property
 
 from flint import arb, ctx, fmpq, fmpq_poly
 
+from cuspaudit.algebra.numerators import PRIME, modulo_prime, numerators
 from cuspaudit.algebra.ring import Polynomial, Ring
-from cuspaudit.algebra.univariate import RealRoot, Univariate, real_roots
+from cuspaudit.algebra.univariate import (
+    PRECISIONS,
+    RealRoot,
+    Univariate,
+    real_roots,
+)
 from cuspaudit.errors import InvalidSystemError, PrecisionError
 
 __all__ = ["RealPoint", "ZeroDimensionalParametrization", "compose", "empty_set"]
@@ -91,10 +97,27 @@ class ZeroDimensionalParametrization:
         Returns:
             N of degree less than omega's, e the total degree of p.
         """
+        bases = (*self._of_ring(ring), self.slope)
+        return numerators(bases, self.omega, polynomials)
+
+    def _of_ring(self, ring: Ring) -> list[fmpq_poly]:
         own = dict(zip(self.variables, self.rho, strict=True))
-        rho = [own[name] for name in ring.variables]
-        monomials = _Monomials((*rho, self.slope), self.omega)
-        return [_numerator(monomials, p) for p in polynomials]
+        return [own[name] for name in ring.variables]
+
+    def vanishes_nowhere(self, ring: Ring, polynomial: Polynomial) -> bool:
+        """Whether a proof modulo a prime that p is not 0 at any point succeeded.
+
+        omega is monic, so that its resultant with a numerator of p, modulo a prime
+        that divides no denominator, is the resultant of the two modulo that prime: one
+        that is not 0 there is not 0. False proves nothing.
+        """
+        bases = [modulo_prime(b) for b in (*self._of_ring(ring), self.slope)]
+        omega = modulo_prime(self.omega)
+        coefficients = polynomial.to_dict().values()
+        if None in (*bases, omega) or any(int(c.q) % PRIME == 0 for c in coefficients):
+            return False
+        ((value, _),) = numerators(tuple(bases), omega, [polynomial])
+        return int(value.gcd(omega).degree()) == 0
 
     def vanishes(self, ring: Ring, polynomial: Polynomial) -> bool:
         """Whether ``polynomial`` is 0 at every point of Z."""
@@ -134,6 +157,8 @@ class ZeroDimensionalParametrization:
         self, ring: Ring, polynomial: Polynomial
     ) -> ZeroDimensionalParametrization:
         """The points of Z at which ``polynomial`` is not 0."""
+        if self.vanishes_nowhere(ring, polynomial):
+            return self
         ((above, _),) = self.numerators(ring, [polynomial])
         omega = self.omega // self.omega.gcd(above)
         rho = tuple(x * omega.derivative() % omega for x in self.coordinates)
@@ -206,35 +231,28 @@ class RealPoint:
             polynomial: an element of ``ring``.
             ring: over Q, with no other variables than the point has.
         """
-        ((above, power),) = self.parametrization.numerators(ring, [polynomial])
-        sign = Univariate(above, fmpq_poly([0]), None).sign_at(self.root)
-        if sign == 0 or power % 2 == 0:
-            return sign
-        return sign * self._fractions[1].sign_at(self.root)
+        for bits in PRECISIONS:
+            value = self._value(polynomial, ring, bits)
+            if not value.contains(0):
+                return 1 if value > 0 else -1
+            if bits == PRECISIONS[1] and self._is_zero(polynomial, ring):
+                return 0
+        raise PrecisionError("sign at an algebraic point", PRECISIONS[-1])
 
+    def _value(self, polynomial: Polynomial, ring: Ring, bits: int) -> arb:
+        saved, ctx.prec = ctx.prec, 2 * bits
+        try:
+            return ring.evaluate(polynomial, self.ball(bits))
+        finally:
+            ctx.prec = saved
 
-class _Monomials:
-    """Products of powers of given polynomials modulo omega, each computed once."""
-
-    def __init__(self, bases: tuple[fmpq_poly, ...], omega: fmpq_poly) -> None:
-        self.bases, self.omega = bases, omega
-        self.known = {(0,) * len(bases): fmpq_poly([1]) % omega}
-
-    def __call__(self, exponents: tuple[int, ...]) -> fmpq_poly:
-        if exponents not in self.known:
-            at = next(i for i, e in enumerate(exponents) if e)
-            lower = (*exponents[:at], exponents[at] - 1, *exponents[at + 1 :])
-            self.known[exponents] = self(lower) * self.bases[at] % self.omega
-        return self.known[exponents]
-
-
-def _numerator(monomials: _Monomials, polynomial: Polynomial) -> tuple[fmpq_poly, int]:
-    n, degree = len(monomials.bases) - 1, max(int(polynomial.total_degree()), 0)
-    total = fmpq_poly([0])
-    for exponents, coefficient in polynomial.to_dict().items():
-        powers = tuple(int(e) for e in exponents[:n])
-        total += coefficient * monomials((*powers, degree - sum(powers)))
-    return total, degree
+    def _is_zero(self, polynomial: Polynomial, ring: Ring) -> bool:
+        """Whether the irreducible factor of the root divides the numerator."""
+        factor = fmpq_poly(self.root.polynomial)
+        whole = self.parametrization
+        bases = tuple(b % factor for b in (*whole._of_ring(ring), whole.slope))
+        ((numerator, _),) = numerators(bases, factor, [polynomial])
+        return bool(numerator == 0)
 
 
 def empty_set(

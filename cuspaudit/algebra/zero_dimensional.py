@@ -151,7 +151,7 @@ def _meets_bezout(posed: Posed, found: ZeroDimensionalParametrization) -> bool:
     if found.degree != bezout_number(ring, equations):
         return False
     slope = determinant(ring, jacobian(ring, equations))
-    return found.where_nonzero(ring, slope).degree == found.degree
+    return found.vanishes_nowhere(ring, slope)
 
 
 def _points(posed: Posed, timeout: float, seed: int) -> ZeroDimensionalParametrization:
