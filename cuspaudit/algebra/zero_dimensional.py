@@ -135,7 +135,7 @@ def _by_msolve(
         return replace(found, grounds=(BEZOUT,))
     elements, _ = ideal_elements(posed.ring, posed.equations, _PARTIAL)
     for system in (elements, posed.equations):
-        if multiples_bound(posed.ring, system, found.degree, timeout / 10):
+        if multiples_bound(posed.ring, system, found.degree, timeout / 20):
             return replace(found, grounds=(MULTIPLES,))
     raise UnableError(
         "solve_zero_dimensional",
