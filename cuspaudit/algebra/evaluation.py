@@ -7,14 +7,20 @@ multiplication; the same plan serves FLINT's balls and Python's floats.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
+from typing import Any
 
+import numpy as np
 from flint import arb, ctx, fmpq
+from numpy.typing import NDArray
 
 from cuspaudit.algebra.matrix import jacobian
 from cuspaudit.algebra.ring import Polynomial, Ring
 
-__all__ = ["Differentiable", "Evaluator"]
+__all__ = ["Differentiable", "Evaluator", "Jets", "Table"]
+
+#: doubles, or balls as objects: the same formulas serve both
+Table = NDArray[Any]
 
 _Exponents = tuple[int, ...]
 
@@ -47,7 +53,7 @@ class Evaluator:
             for row, at in zip(rows, self._places, strict=True)
         ]
 
-    def floats(self, point: Sequence[float]) -> list[float]:
+    def floats(self, point: Iterable[float]) -> list[float]:
         """The values at a point, in doubles."""
         surd = [math.sqrt(self.radicand)] if self.radicand else []
         values = [*map(float, point), *surd]
@@ -96,3 +102,34 @@ class Differentiable:
         """Enclosures of d p_i / d x_j over ``box``, rows in order."""
         entries, width = self._entries.balls(box), self._width
         return [entries[i * width : (i + 1) * width] for i in range(self.size)]
+
+
+class Jets:
+    """Polynomials p_1..p_k with their first and second derivatives."""
+
+    def __init__(self, ring: Ring, polynomials: Sequence[Polynomial]) -> None:
+        self.size, self.width = len(polynomials), len(ring.variables)
+        self._values = Evaluator(ring, polynomials)
+        first = [e for row in jacobian(ring, polynomials) for e in row]
+        second = [e for row in jacobian(ring, first) for e in row]
+        self._all = Evaluator(ring, [*polynomials, *first, *second])
+
+    def values(self, box: Sequence[arb]) -> list[arb]:
+        """Enclosures of p_1..p_k over ``box``."""
+        return self._values.balls(box)
+
+    def balls(self, box: Sequence[arb]) -> tuple[Table, Table, Table]:
+        """Enclosures of values (k), gradients (k, n) and Hessians (k, n, n)."""
+        return self._split(np.array(self._all.balls(box), dtype=object))
+
+    def floats(self, point: Iterable[float]) -> tuple[Table, Table, Table]:
+        """The same at a point, in doubles."""
+        return self._split(np.array(self._all.floats(point), dtype=np.float64))
+
+    def _split(self, entries: Table) -> tuple[Table, Table, Table]:
+        k, n = self.size, self.width
+        return (
+            entries[:k],
+            entries[k : k + k * n].reshape(k, n),
+            entries[k + k * n :].reshape(k, n, n),
+        )

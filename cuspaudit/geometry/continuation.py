@@ -9,7 +9,7 @@ next step begins at the point over the shared value, known to lie in both boxes.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from itertools import combinations, pairwise
 
@@ -22,8 +22,10 @@ from cuspaudit.geometry.lifting import Box, Chart, Lift, lift, sharpen
 
 __all__ = ["Continuation", "continue_point", "follow", "square_chart"]
 
-_BITS = 106
-_SMALLEST_STEP = fmpq(1, 2**40)
+#: working precision
+BITS = 106
+#: the part of a segment below which a step is given up
+SMALLEST_STEP = fmpq(1, 2**40)
 
 
 @dataclass(frozen=True)
@@ -77,7 +79,7 @@ def continue_point(
         The lift, or None when the proof stops (the path comes near a singularity, or
         ``start`` is too wide).
     """
-    with ctx.workprec(_BITS):
+    with ctx.workprec(BITS):
         chart = square_chart(variety, mapping, start)
         if chart is None:
             return None
@@ -86,7 +88,7 @@ def continue_point(
         if found is None or not found.holds(values[0], start):
             return None
         steps, points = list[Lift](), [found.image]
-        for y0, y1 in pairwise(path):
+        for y0, y1 in pairwise(values):
             leg = follow(chart, points[-1], y0, y1)
             if leg is None:
                 return None
@@ -96,7 +98,12 @@ def continue_point(
 
 
 def follow(
-    chart: Chart, start: Box, y0: Sequence[fmpq], y1: Sequence[fmpq]
+    chart: Chart,
+    start: Box,
+    y0: Box,
+    y1: Box,
+    accept: Callable[[Lift, Box, Box], bool] = lambda step, begin, change: True,
+    smallest: fmpq = SMALLEST_STEP,
 ) -> Continuation | None:
     """Continue along one segment of values, at the working precision.
 
@@ -104,20 +111,23 @@ def follow(
 
     Args:
         chart: F = (f, g), whose coordinates stand for R.
-        start: a box with a point of V over ``y0``.
-        y0: where the segment begins, in Q^d.
+        start: a box with a point of V.
+        y0: its values, where the segment begins; d balls.
         y1: where it ends.
+        accept: what else has to be proved on a step for it to count, given the
+            lift, the box where it begins and the change of the values.
+        smallest: the part of the segment below which a step is given up.
     """
     at, size = fmpq(0), fmpq(1)
-    point, steps = start, list[Lift]()
-    here = _between(y0, y1, at)
+    point, here, steps = start, y0, list[Lift]()
     while at < 1:
         step = min(size, 1 - at)
-        there = _between(y0, y1, at + step)
+        there = y1 if at + step == 1 else _between(y0, y1, at + step)
         done = _step(chart, point, here, there)
-        if done is None:
+        change = tuple(b - a for a, b in zip(here, there, strict=True))
+        if done is None or not accept(done[0], point, change):
             size = step / 2
-            if size < _SMALLEST_STEP:
+            if size < smallest:
                 return None
             continue
         steps.append(done[0])
@@ -175,5 +185,5 @@ def _predicted(chart: Chart, point: Box, change: Sequence[arb]) -> list[arb] | N
     return [x.mid() + e.mid() for x, e in zip(point, moved.entries(), strict=True)]
 
 
-def _between(y0: Sequence[fmpq], y1: Sequence[fmpq], t: fmpq) -> Box:
-    return tuple(arb(a + t * (b - a)) for a, b in zip(y0, y1, strict=True))
+def _between(y0: Box, y1: Box, t: fmpq) -> Box:
+    return tuple(a + t * (b - a) for a, b in zip(y0, y1, strict=True))

@@ -1,0 +1,306 @@
+"""Connected components of V - {Delta = 0} by routing functions.
+
+**Theorem.** Let M be the set of regular points of V with P != 0, G a height on it
+(``geometry.height``) such that every {G >= c} is compact, and all critical points of G
+nondegenerate. Give every critical point S with exactly one positive eigenvalue of the
+Hessian ("saddle") an edge: each of its two exits, the pieces of {G > G(S)} next to S,
+is joined to some maximum by a path on which G > G(S), and the edge joins these two
+maxima. Then two maxima lie in one component of M if and only if they are connected in
+this graph, and every component of M has a maximum.
+
+*Proof.* (Hong, Rohal, Safey El Din, Schost, "Connectivity in semi-algebraic sets I",
+2020.) G attains its largest value on a component of M, because {G >= c} is compact:
+that is a maximum. An edge comes from a path in M, so connected maxima lie in one
+component. For the converse lower c from above all critical values. By Morse theory
+{G >= c} changes, up to homotopy, only when c passes a critical value, by attaching for
+every critical point of that value a cell of dimension p, its number of positive
+eigenvalues. p = 0 is a maximum: a new component. p >= 2 attaches a cell along a
+connected sphere: the components stay. p = 1 joins the components of the two exits.
+So by induction two maxima above c lie in one component of {G > c} if and only if they
+are connected by edges of saddles above c: a path on which G > G(S) leads to a maximum
+in the same component of {G > G(S)} as the exit. A path in M is compact and so lies in
+some {G > c}. QED.
+
+The level matters: with paths that dip below G(S) an edge could join the wrong pair of
+maxima, and the graph fall apart. Points need no level: any path in M to a maximum will
+do. With w = 1, exp(G(S)/2) = |h(S)| is the clearance: the largest smallest |h| on any
+path between maxima that the saddle is the first to connect.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from itertools import pairwise
+
+import networkx as nx
+import numpy as np
+from flint import arb, ctx, fmpq
+from numpy.typing import NDArray
+
+from cuspaudit.algebra.parametrization import RealPoint
+from cuspaudit.algebra.ring import Polynomial, Ring
+from cuspaudit.algebra.system import PolynomialMap, PolynomialSystem
+from cuspaudit.algebra.zero_dimensional import solve_zero_dimensional
+from cuspaudit.errors import NotZeroDimensionalError, UnableError
+from cuspaudit.geometry.height import critical_system, heights
+from cuspaudit.geometry.landscape import Landscape
+from cuspaudit.geometry.lifting import Box
+from cuspaudit.geometry.morse import (
+    Basin,
+    CriticalPoint,
+    basin,
+    critical_point,
+    exits,
+)
+from cuspaudit.geometry.proved_ascent import Ascent, prove_ascent
+
+__all__ = ["Point", "Routing", "morse_graph", "routing"]
+
+Array = NDArray[np.float64]
+Point = RealPoint | Sequence[fmpq | int]
+
+_BITS = (106, 212, 424, 848)
+
+
+@dataclass(frozen=True, eq=False)
+class Routing:
+    """The components of V - {Delta = 0}, proved.
+
+    Attributes:
+        landscape: V and the height G.
+        maxima: all maxima of G.
+        saddles: all critical points with exactly one positive eigenvalue.
+        graph: a vertex for each maximum, by number; an edge where a saddle joins two
+            maxima, with its ``level`` (of G) and the ``places`` of the way over it.
+        basins: of the maxima.
+        grounds: what the list of critical points being complete rests on.
+        seed: of the ascents.
+    """
+
+    landscape: Landscape
+    maxima: tuple[CriticalPoint, ...]
+    saddles: tuple[CriticalPoint, ...]
+    graph: nx.Graph[int]
+    basins: tuple[Basin, ...]
+    grounds: tuple[str, ...]
+    seed: int
+    ascents: dict[Point, Ascent] = field(default_factory=dict)
+
+    @property
+    def number_of_components(self) -> int:
+        """The number of connected components of V - {Delta = 0}."""
+        return nx.number_connected_components(self.graph)
+
+    def vert(self, points: Sequence[Point]) -> list[int]:
+        """The vertices of points of V with Delta != 0 (the paper's ``Vert``).
+
+        Raises:
+            UnableError: no ascent from a point could be proved.
+        """
+        return [self._ascent(point).top for point in points]
+
+    def component(self, point: Point) -> int:
+        """The number of the component of a point of V with Delta != 0."""
+        (vertex,) = self.vert([point])
+        parts = nx.connected_components(self.graph)
+        return next(i for i, part in enumerate(parts) if vertex in part)
+
+    def connected(self, first: Point, second: Point) -> bool:
+        """Whether two points of V lie in one component of V - {Delta = 0}."""
+        return bool(nx.has_path(self.graph, *self.vert([first, second])))
+
+    def path(self, first: Point, second: Point) -> Array:
+        """Way points (m, n) between two connected points, over the highest saddles."""
+        a, b = self._ascent(first), self._ascent(second)
+        tree = nx.maximum_spanning_tree(self.graph, weight="level")
+        way = [a.places]
+        for u, v in pairwise(nx.shortest_path(tree, a.top, b.top)):
+            edge = tree.edges[u, v]
+            way.append(edge["places"] if edge["begins"] == u else edge["places"][::-1])
+        return np.concatenate([*way, b.places[::-1]])
+
+    def _ascent(self, point: Point) -> Ascent:
+        key = point if isinstance(point, RealPoint) else tuple(point)
+        if key not in self.ascents:
+            ball = _ball(self.landscape.variety.ring, point, _BITS[1])
+            found = prove_ascent(self.landscape, ball, None, self.basins, self.seed)
+            if found is None:
+                raise UnableError("routing", "no ascent from a query point was proved")
+            self.ascents[key] = found
+        return self.ascents[key]
+
+
+def routing(
+    variety: PolynomialSystem,
+    mapping: PolynomialMap,
+    minors: Sequence[Polynomial],
+    queries: Sequence[Point] = (),
+    *,
+    seed: int = 1,
+    timeout: float = 60,
+    progress: Callable[[str], None] = lambda step: None,
+) -> Routing:
+    """The components of V - {Delta = 0} with the vertices of ``queries`` found.
+
+    Args:
+        variety: V = {f = 0} under assumption (A) of the paper, not checked.
+        mapping: R.
+        minors: those of ``crit``; their common zeros on V are {Delta = 0}.
+        queries: points of V with Delta != 0.
+        seed: of the weights and ascents.
+        timeout: seconds for one complete list of critical points.
+        progress: called with the name of each step before it runs.
+
+    Raises:
+        UnableError: the critical points cannot be listed completely, every weight has
+            degenerate ones, or an ascent could not be proved.
+    """
+    found = morse_graph(
+        variety,
+        len(mapping.components),
+        minors,
+        seed=seed,
+        timeout=timeout,
+        progress=progress,
+    )
+    progress("routing: query points")
+    found.vert(queries)
+    return found
+
+
+def morse_graph(
+    variety: PolynomialSystem,
+    dimension: int,
+    minors: Sequence[Polynomial],
+    *,
+    seed: int = 1,
+    timeout: float = 60,
+    progress: Callable[[str], None] = lambda step: None,
+) -> Routing:
+    """The components of the points of V where not all ``minors`` vanish.
+
+    Args:
+        variety: V = {f = 0}, of dimension d; jac f of rank n - d where a minor is not
+            zero.
+        dimension: d.
+        minors: any polynomials, not all zero on a component of V.
+        seed: of the weights and ascents.
+        timeout: seconds for one complete list of critical points.
+        progress: called with the name of each step before it runs.
+    """
+    why = "no height"
+    for height in heights(variety, minors, seed):
+        landscape = Landscape(variety, dimension, height)
+        progress("routing: critical points")
+        try:
+            critical, grounds = _critical_points(landscape, timeout, seed)
+        except NotZeroDimensionalError as error:
+            why = str(error)
+            continue
+        if critical is not None:
+            progress("routing: ascents")
+            return _joined(landscape, critical, grounds, seed)
+        why = "a critical point is degenerate"
+    raise UnableError("routing", f"with every weight tried: {why}")
+
+
+def _critical_points(
+    landscape: Landscape, timeout: float, seed: int
+) -> tuple[list[CriticalPoint] | None, tuple[str, ...]]:
+    """All critical points, or None if one is not proved to be nondegenerate.
+
+    Over Q(sqrt m), sqrt m is one more unknown; the points with -sqrt m are dropped.
+    """
+    ring, height = landscape.variety.ring, landscape.height
+    system = critical_system(landscape.variety, landscape.dimension, height)
+    if ring.radicand is not None:
+        minimal = ring.surd * ring.surd - ring.radicand
+        names = tuple(ring.context.names())
+        system = PolynomialSystem(Ring(names), (*system.equations, minimal))
+    found = solve_zero_dimensional(
+        system, nonzero=height.base, timeout=timeout, seed=seed
+    )
+    points = []
+    for point in found.real_points():
+        if ring.radicand is not None and not point.ball(64)[names[-1]] > 0:
+            continue
+        classified = _classified(landscape, point)
+        if classified is None:
+            return None, found.grounds
+        points.append(classified)
+    return points, found.grounds
+
+
+def _classified(landscape: Landscape, point: RealPoint) -> CriticalPoint | None:
+    for bits in _BITS:
+        with ctx.workprec(bits):
+            ball = _ball(landscape.variety.ring, point, bits)
+            found = critical_point(landscape, ball)
+        if found is not None:
+            return found
+    return None
+
+
+def _joined(
+    landscape: Landscape,
+    critical: Sequence[CriticalPoint],
+    grounds: tuple[str, ...],
+    seed: int,
+) -> Routing:
+    """The graph of all maxima and saddles, from the highest saddle down.
+
+    Without effect, hence skipped: a saddle on the side of Delta > 0 (or < 0) once all
+    maxima of that side are connected.
+    """
+    maxima = [point for point in critical if point.rising == 0]
+    saddles = [point for point in critical if point.rising == 1]
+    basins = [_basin(landscape, top) for top in maxima]
+    graph: nx.Graph[int] = nx.Graph()
+    graph.add_nodes_from(range(len(maxima)))
+    for saddle in sorted(saddles, key=lambda s: s.level.mid(), reverse=True):
+        side = [i for i, top in enumerate(maxima) if top.sign == saddle.sign]
+        if not side or nx.is_connected(graph.subgraph(side)):
+            continue
+        ahead, back = _two_ascents(landscape, saddle, basins, seed)
+        if ahead.top != back.top and not graph.has_edge(ahead.top, back.top):
+            graph.add_edge(
+                ahead.top,
+                back.top,
+                level=float(saddle.level.mid()),
+                begins=ahead.top,
+                places=np.concatenate([ahead.places[::-1], back.places]),
+            )
+    return Routing(
+        landscape, tuple(maxima), tuple(saddles), graph, tuple(basins), grounds, seed
+    )
+
+
+def _basin(landscape: Landscape, top: CriticalPoint) -> Basin:
+    with ctx.workprec(_BITS[0]):
+        found = basin(landscape, top)
+    if found is None:
+        raise UnableError("routing", "no neighbourhood of a maximum was proved")
+    return found
+
+
+def _two_ascents(
+    landscape: Landscape, saddle: CriticalPoint, basins: Sequence[Basin], seed: int
+) -> tuple[Ascent, Ascent]:
+    with ctx.workprec(_BITS[0]):
+        pair = exits(landscape, saddle)
+    if pair is None:
+        raise UnableError("routing", "no exit of a saddle was proved")
+    ways = [
+        prove_ascent(landscape, exit_.end, saddle.level, basins, seed) for exit_ in pair
+    ]
+    if ways[0] is None or ways[1] is None:
+        raise UnableError("routing", "no ascent from a saddle was proved")
+    return ways[0], ways[1]
+
+
+def _ball(ring: Ring, point: Point, bits: int) -> Box:
+    if isinstance(point, RealPoint):
+        balls = point.ball(bits)
+        return tuple(balls[name] for name in ring.variables)
+    return tuple(arb(x) for x in point)
