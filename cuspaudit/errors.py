@@ -164,21 +164,23 @@ class NotEquidimensionalError(AssumptionError):
 
     Attributes:
         expected: the dimension it should have.
-        found: another dimension that one of its components has.
+        found: another dimension that one of its components has, -1 when it is empty,
+            None for a smaller one that is not known.
     """
 
-    def __init__(self, *, expected: int, found: int) -> None:
+    def __init__(self, *, expected: int, found: int | None) -> None:
         """Name both dimensions."""
         self.expected, self.found = expected, found
+        other = f"smaller than {expected}" if found is None else f"{found}"
         super().__init__(
-            f"a component of V has dimension {found}, not {expected}; decide the "
-            "components of dimension "
-            f"{expected} alone"
+            "V is empty"
+            if found == -1
+            else f"a component of V has dimension {other}, and {expected} is needed"
         )
 
 
 class RealPartSingularError(AssumptionError):
-    """Every real point of V is singular.
+    """No real point of V is regular: all are singular, or there is none.
 
     Attributes:
         dimension: the dimension of V in C^n.
@@ -188,7 +190,7 @@ class RealPartSingularError(AssumptionError):
         """Name the dimension that the real part does not have."""
         self.dimension = dimension
         super().__init__(
-            f"V has dimension {dimension} in C^n, but all its real points are singular"
+            f"V, of dimension {dimension} in C^n, has no regular real point"
         )
 
 
