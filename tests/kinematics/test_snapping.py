@@ -362,9 +362,12 @@ def test_snapping_recovers_the_shoulders_of_seven_joints(corpus: Path) -> None:
 
 @pytest.mark.parametrize(
     ("name", "expected"),
-    [("puma560", "a"), ("irb140", "a"), ("ur5", "b"), ("jaco", "c")],
+    [
+        *(("puma560", "a"), ("irb140", "a"), ("stanford", "a"), ("ur5", "b")),
+        *(("jaco", "c"), ("planar3", "b"), ("sawyer", "c"), ("panda", "c")),
+    ],
 )
 def test_tables_have_their_structure(corpus: Path, name: str, expected: str) -> None:
-    """Published 6R tables have their structure, as printed and snapped."""
+    """Published tables have their structure, as printed and snapped."""
     chain = read_robot(corpus / "dh" / f"rtb_{name}.csv").chain
     assert structure(chain, 1e-6) == structure(snap(chain)[0]) == expected
