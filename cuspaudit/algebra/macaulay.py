@@ -67,7 +67,7 @@ def multiples_bound(
         columns = {e for row in multiples for e in row}
         if len(multiples) * len(columns) > _MOST_ENTRIES:
             return False
-        if _proves(multiples, columns, n, points):
+        if _proves(multiples, columns, set(_monomials(n, degree)), points):
             return True
         degree += 1
     return False
@@ -97,18 +97,28 @@ def bezout_number(ring: Ring, polynomials: Sequence[Polynomial]) -> int | None:
     return int(product.to_dict().get(sizes, fmpq(0)).p)
 
 
-def _proves(rows: list[Row], columns: set[Exponents], n: int, points: int) -> bool:
-    """Whether a subset of ``rows`` satisfies the lemma with |B| = ``points``."""
-    one = (0,) * n
-    downwards = sorted({*columns, one}, key=degree_reverse_key, reverse=True)
-    free = _dependent(rows, downwards)[::-1]
-    kept = set(free[:points])
-    needed = {_shifted(b, j) for b in kept for j in range(n)} | {one}
+def _proves(
+    rows: list[Row], columns: set[Exponents], lowest: set[Exponents], points: int
+) -> bool:
+    """Whether a subset of ``rows`` satisfies the lemma with |B| = ``points``.
+
+    Args:
+        rows: multiples.
+        columns: the monomials of the rows.
+        lowest: the monomials of which B may be made, besides these.
+        points: |B|.
+    """
+    downwards = sorted(columns, key=degree_reverse_key, reverse=True)
+    free = {*_dependent(rows, downwards), *(lowest - columns)}
+    kept = set(sorted(free, key=degree_reverse_key)[:points])
     if len(kept) < points:
         return False
+    one = min(lowest, key=sum)
+    needed = {_shifted(b, j) for b in kept for j, _ in enumerate(one)} | {one}
     while rows:
         used = {e for row in rows for e in row} | needed
-        lost = set(_dependent(rows, sorted(used - kept, key=degree_reverse_key)))
+        upwards = sorted(used - kept, key=degree_reverse_key)
+        lost = set(_dependent(rows, upwards))
         if not lost:
             return True
         if lost & needed:

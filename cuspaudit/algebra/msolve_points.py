@@ -3,8 +3,8 @@
 msolve is asked for a parametrization (``-P 2``) of the system with one more variable,
 last and equal to a linear form, which then is its parameter. It may still add a
 variable ``A`` of its own. Its conventions are x_i = -p_i(t) / (c_i w'(t)), w not monic.
-Nothing of that is trusted: what is read must satisfy the definition of a
-parametrization, and every equation must vanish modulo omega.
+The variables are renamed for it. Nothing of that is trusted: what is read must satisfy
+the definition of a parametrization, and every equation must vanish modulo omega.
 """
 
 from __future__ import annotations
@@ -12,6 +12,7 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Any
 
 from flint import fmpq, fmpq_poly, fmpz, fmpz_poly
@@ -25,7 +26,6 @@ from cuspaudit.errors import InvalidSystemError, UnableError
 
 __all__ = ["msolve_points", "parse_parametrization"]
 
-PARAMETER = "parameter_t"
 _TOKEN = re.compile(r"'(\w+)'|(-?\d+)")
 
 
@@ -51,17 +51,23 @@ def msolve_points(
     Raises:
         UnableError: msolve failed, or what it found does not solve the system.
     """
+    names = [f"x{i}" for i, _ in enumerate(ring.variables)]
+    own = dict(zip(ring.variables, names, strict=True))
     form = next(linear_forms(len(variables), seed))
-    larger = Ring([*ring.variables, PARAMETER])
-    t = larger.gen(PARAMETER)
-    terms = (w * larger.gen(x) for x, w in zip(variables, form, strict=True))
-    system = [larger.from_other(p, ring) for p in polynomials]
-    text = msolve_text(larger, [*system, t - larger.total(terms)])
+    larger = Ring([*names, "t"])
+    terms = (w * larger.gen(own[x]) for x, w in zip(variables, form, strict=True))
+    system = [larger.context.from_dict(_with_zero(p)) for p in polynomials]
+    text = msolve_text(larger, [*system, larger.gen("t") - larger.total(terms)])
     found = parse_parametrization(run_msolve(text, ("-P", "2"), timeout, seed))
     if found is None:
         return empty_set(variables)
     check_solves(found, larger, system)
-    return restricted(found, tuple(variables), form, seed)
+    kept = restricted(found, tuple(own[x] for x in variables), form, seed)
+    return replace(kept, variables=tuple(variables))
+
+
+def _with_zero(polynomial: Polynomial) -> dict[tuple[int, ...], fmpq]:
+    return {(*e, 0): c for e, c in polynomial.to_dict().items()}
 
 
 def check_solves(

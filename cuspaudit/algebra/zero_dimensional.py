@@ -21,6 +21,7 @@ from cuspaudit.algebra.finite_algebra import (
     staircase,
 )
 from cuspaudit.algebra.ideal import groebner_basis, ideal_elements
+from cuspaudit.algebra.localization import with_inverse
 from cuspaudit.algebra.macaulay import bezout_number, multiples_bound
 from cuspaudit.algebra.matrix import determinant, jacobian
 from cuspaudit.algebra.msolve_points import msolve_points
@@ -34,7 +35,6 @@ __all__ = ["solve_zero_dimensional"]
 BASIS = "exact Groebner basis"
 BEZOUT = "Bezout number met"
 MULTIPLES = "rank of multiples modulo 2^61 - 1"
-_INVERSE = "inverse_of_nonzero"
 _SMALL = 30
 _PARTIAL = (100, 1000, 1000)
 
@@ -65,13 +65,18 @@ def solve_zero_dimensional(
         NotZeroDimensionalError: there are infinitely many.
         UnableError: completeness was not proved, or the system is too large.
     """
+    if system.ring.radicand is not None:
+        raise UnableError(
+            "solve_zero_dimensional", f"coefficients in {system.ring}, not in Q"
+        )
     equations = [p for p in system.equations if p != 0]
     if nonzero is not None:
         equations = [_without_factors_of(nonzero, p) for p in equations]
     plain = Posed(system.ring, tuple(equations), system.ring.variables)
     if nonzero is None:
         return _exact(plain, timeout, seed) or _by_msolve(plain, timeout, seed)
-    saturated = _saturated(plain, nonzero)
+    ring, lifted = with_inverse(plain.ring, plain.equations, nonzero)
+    saturated = Posed(ring, tuple(lifted), plain.variables)
     found = _exact(saturated, timeout, seed)
     return (
         found
@@ -172,11 +177,3 @@ def _kept(algebra: FiniteAlgebra, posed: Posed) -> FiniteAlgebra:
     own = dict(zip(algebra.variables, algebra.matrices, strict=True))
     matrices = tuple(own[name] for name in posed.variables)
     return FiniteAlgebra(posed.variables, matrices, algebra.one)
-
-
-def _saturated(plain: Posed, nonzero: Polynomial) -> Posed:
-    """The system in Q[v, x_1..x_n] with v h = 1 added."""
-    ring = Ring([_INVERSE, *plain.ring.variables], plain.ring.radicand)
-    *lifted, h = (ring.from_other(p, plain.ring) for p in (*plain.equations, nonzero))
-    inverse = ring.gen(_INVERSE) * h - 1
-    return Posed(ring, (*lifted, inverse), plain.variables)

@@ -19,6 +19,7 @@ from __future__ import annotations
 from itertools import combinations
 
 from cuspaudit.algebra.ideal import groebner_basis
+from cuspaudit.algebra.localization import with_inverse
 from cuspaudit.algebra.matrix import determinant, jacobian
 from cuspaudit.algebra.ring import Polynomial, Ring
 from cuspaudit.algebra.system import PolynomialSystem
@@ -27,7 +28,7 @@ from cuspaudit.errors import (
     NotRadicalError,
     UnableError,
 )
-from cuspaudit.geometry.real_part import check_real_part, inverted, vanishes_on
+from cuspaudit.geometry.real_part import check_real_part, vanishes_on
 
 __all__ = ["check_assumption_a"]
 
@@ -64,7 +65,8 @@ def check_assumption_a(
         raise NotRadicalError("on a component of V, where their Jacobian drops rank")
     if len(equations) > codimension:
         _check_more_equations(ring, equations, codimension, singular)
-    check_real_part(ring, equations, minors, dimension, seed)
+    positive = ring.variables[len(variety.ring.variables) :]
+    check_real_part(ring, equations, minors, dimension, positive, seed)
 
 
 def _check_dimension(ring: Ring, equations: list[Polynomial], dimension: int) -> None:
@@ -111,7 +113,7 @@ def _open_and_closed(
 ) -> bool:
     """Whether <f> is <f>^2 modulo the equations ``own``, where ``minor`` is not 0."""
     squares = [p * q for p, q in combinations([*equations, *equations], 2)]
-    larger, lifted = inverted(ring, [*own, *squares], minor)
+    larger, lifted = with_inverse(ring, [*own, *squares], minor)
     basis = groebner_basis(larger, lifted)
     return all(basis.contains(larger.from_other(p, ring)) for p in equations)
 

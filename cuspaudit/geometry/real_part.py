@@ -19,13 +19,14 @@ from itertools import combinations
 from flint import fmpq
 
 from cuspaudit.algebra.ideal import groebner_basis
+from cuspaudit.algebra.localization import with_inverse
 from cuspaudit.algebra.matrix import determinant, jacobian
 from cuspaudit.algebra.ring import Polynomial, Ring
 from cuspaudit.algebra.system import PolynomialSystem
 from cuspaudit.algebra.zero_dimensional import solve_zero_dimensional
 from cuspaudit.errors import NotZeroDimensionalError, RealPartSingularError, UnableError
 
-__all__ = ["check_real_part", "inverted", "vanishes_on"]
+__all__ = ["check_real_part", "vanishes_on"]
 
 _TRIES = 3
 _SECONDS = 10
@@ -36,6 +37,7 @@ def check_real_part(
     equations: list[Polynomial],
     minors: list[Polynomial],
     dimension: int,
+    positive: Sequence[str],
     seed: int,
 ) -> None:
     """Return when V has a regular real point; raise when it has none.
@@ -45,6 +47,7 @@ def check_real_part(
         equations: f, whose zero set has dimension d in C^n everywhere.
         minors: the minors of size n - d of jac f, generators of its singular set.
         dimension: d.
+        positive: variables that must be positive at a point that counts: sqrt m.
         seed: of the search.
 
     Raises:
@@ -58,13 +61,13 @@ def check_real_part(
     unable = None
     for system in _searches(ring, equations, minors, dimension, chosen):
         try:
-            if _has_real_point(ring, system, height):
+            if _has_real_point(ring, system, height, positive):
                 return
         except (UnableError, NotZeroDimensionalError) as error:
             unable = error
     try:
         complete = _peaks(ring, equations, height, dimension, _point(ring, chosen))
-        if _has_real_point(ring, complete, height):
+        if _has_real_point(ring, complete, height, positive):
             return
     except (UnableError, NotZeroDimensionalError) as error:
         unable = error
@@ -129,14 +132,16 @@ def _critical(
 
 
 def _has_real_point(
-    ring: Ring, equations: list[Polynomial], height: Polynomial
+    ring: Ring,
+    equations: list[Polynomial],
+    height: Polynomial,
+    positive: Sequence[str],
 ) -> bool:
-    """Whether the system has a real solution with height != 0 and sqrt m > 0."""
+    """Whether the system has a real solution with height != 0 that counts."""
     system = PolynomialSystem(ring, tuple(equations))
     found = solve_zero_dimensional(system, nonzero=height, timeout=_SECONDS)
-    roots = [ring.gen(name) for name in ring.variables if name.startswith("sqrt")]
     return any(
-        all(point.sign(root, ring) > 0 for root in roots)
+        all(point.sign(ring.gen(name), ring) > 0 for name in positive)
         for point in found.real_points()
     )
 
@@ -153,14 +158,5 @@ def _point(ring: Ring, chosen: random.Random) -> list[fmpq]:
 
 def vanishes_on(ring: Ring, equations: list[Polynomial], p: Polynomial) -> bool:
     """Whether p is 0 on V: 1 is in <f, v p - 1>."""
-    larger, lifted = inverted(ring, equations, p)
+    larger, lifted = with_inverse(ring, equations, p)
     return groebner_basis(larger, lifted).dimension == -1
-
-
-def inverted(
-    ring: Ring, equations: Sequence[Polynomial], p: Polynomial
-) -> tuple[Ring, list[Polynomial]]:
-    """The equations with v p = 1, in one more variable v."""
-    larger = Ring(["inverse_v", *ring.variables])
-    *lifted, other = (larger.from_other(q, ring) for q in (*equations, p))
-    return larger, [*lifted, larger.gens[0] * other - 1]
