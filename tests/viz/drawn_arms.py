@@ -168,3 +168,25 @@ def audit_of(chain: Chain, verdict: str, path: list[list[float]] | None) -> dict
         "versions": {"cuspaudit": "0.1.0", "python-flint": "0.9.0", "msolve": None},
         "seed": 0,
     }
+
+
+def crx_urdf() -> str:
+    """The same arm as a URDF whose meshes are nowhere."""
+
+    def text(numbers: tuple[Any, ...]) -> str:
+        return " ".join(str(number) for number in numbers)
+
+    visual = '<visual><geometry><mesh filename="package://crx/{}.stl"/></geometry>'
+    links = [
+        f'<link name="l{i}">{visual.format(i)}</visual></link>' for i in range(7)
+    ] + ['<link name="tool0"/>']
+    joints = [
+        f'<joint name="J{i + 1}" type="continuous"><parent link="l{i}"/>'
+        f'<child link="l{i + 1}"/><origin xyz="{text(CRX_STEPS[i])}"/>'
+        f'<axis xyz="{text(CRX_AXES[i])}"/></joint>'
+        for i in range(6)
+    ]
+    tip = '<joint name="flange" type="fixed"><parent link="l6"/><child link="tool0"/>'
+    flange = f'{tip}<origin xyz="{text(CRX_STEPS[6])}"/></joint>'
+    opened = '<robot name="CRX-10iA/L without meshes">'
+    return "\n".join([opened, *links, *joints, flange, "</robot>"])

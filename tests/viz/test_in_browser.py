@@ -2,10 +2,6 @@
 
 from __future__ import annotations
 
-import io
-import os
-import shutil
-from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -19,38 +15,12 @@ from drawn_arms import (
     issac_path,
     slider_chain,
 )
-from PIL import Image
+from visits import PHONE, Visit, wait_until
 
 from cuspaudit.viz import build_scene, render_page, sample_path, sample_postures
 
 pytestmark = pytest.mark.browser
-FLAGS = [
-    *("--no-sandbox", "--disable-gpu", "--use-gl=angle", "--use-angle=swiftshader"),
-    *("--enable-unsafe-swiftshader", "--disable-background-networking"),
-    *("--disable-component-update", "--disable-sync", "--disable-quic"),
-    "--no-first-run",
-]
-SET_SLIDER = """share => {
-    const slider = document.getElementById("slider");
-    slider.value = Math.round(share * slider.max);
-    slider.dispatchEvent(new Event("input"));
-    return new Promise(done => requestAnimationFrame(() =>
-        requestAnimationFrame(() => requestAnimationFrame(done))));
-}"""
 CURSOR = """() => parseFloat(document.getElementById("cursor").style.left)"""
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Any]:
-    """Chromium, as the system has it."""
-    chromium = os.environ.get("CUSPAUDIT_CHROMIUM") or shutil.which("chromium")
-    if not chromium:
-        pytest.skip("no chromium: apt-get install chromium, or set CUSPAUDIT_CHROMIUM")
-    sync_api = pytest.importorskip("playwright.sync_api")
-    with sync_api.sync_playwright() as playwright:
-        running = playwright.chromium.launch(executable_path=chromium, args=FLAGS)
-        yield running
-        running.close()
 
 
 @pytest.fixture(scope="module")
@@ -85,60 +55,6 @@ def pages(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
     for name, html in rendered.items():
         files[name].write_text(html, "utf-8")
     return files
-
-
-def wait_until(page: Any, holds: Callable[[], bool]) -> None:
-    """Wait up to 20 s; playwright's own waiting is refused by the page's policy."""
-    for _ in range(200):
-        if holds():
-            return
-        page.wait_for_timeout(100)
-    pytest.fail("waited in vain")
-
-
-class Visit:
-    """A page opened in the browser, with what went wrong on it."""
-
-    def __init__(self, browser: Any, file: Path, **options: Any) -> None:
-        options = {"reduced_motion": "reduce", **options}
-        options.setdefault("viewport", {"width": 1280, "height": 900})
-        self.context = browser.new_context(**options)
-        self.page = self.context.new_page()
-        self.faults: list[str] = []
-        self.page.on("console", self._heard)
-        self.page.on("pageerror", lambda error: self.faults.append(str(error)))
-        self.page.on("dialog", lambda dialog: self.faults.append(dialog.message))
-        self.page.on("request", self._asked)
-        self.page.goto(file.as_uri())
-        if "none" not in file.name:
-            self.page.wait_for_selector("html[data-ready]")
-
-    def _heard(self, message: Any) -> None:
-        # the software renderer grumbles about the speed of our own screenshots
-        if message.type == "error" or "GPU stall" not in message.text:
-            self.faults.append(message.text)
-
-    def _asked(self, request: Any) -> None:
-        if not request.url.startswith(("file:", "data:", "blob:")):
-            self.faults.append(request.url)
-
-    def picture(self) -> Any:
-        """The canvas as (height, width, 3) numbers."""
-        blob = self.page.locator("#pane canvas").screenshot()
-        return np.asarray(Image.open(io.BytesIO(blob)).convert("RGB")).astype(int)
-
-    def slide(self, share: float) -> None:
-        """Move the slider, and wait until the arm is drawn."""
-        self.page.evaluate(SET_SLIDER, share)
-
-    def keep(self, file: Path) -> None:
-        """Write a screenshot of the whole page."""
-        self.page.screenshot(path=str(file), full_page=True)
-
-    def close(self) -> None:
-        """Hold that nothing went wrong, and leave."""
-        assert self.faults == []
-        self.context.close()
 
 
 @pytest.mark.parametrize("name", ["issac", "crx", "slider"])
@@ -213,8 +129,7 @@ def test_dark_is_dark(browser: Any, pages: dict[str, Path], output: Path) -> Non
     """With a dark system the page is dark and the arm still drawn."""
     visit = Visit(browser, pages["issac"], color_scheme="dark")
     visit.slide(0.3)
-    ground = visit.page.evaluate("getComputedStyle(document.body).backgroundColor")
-    assert sum(int(x) for x in ground[4:-1].split(",")) < 150
+    assert visit.brightness() < 150
     assert len(np.unique(visit.picture().reshape(-1, 3), axis=0)) > 200
     visit.keep(output / "issac-dark.png")
     visit.close()
@@ -225,9 +140,9 @@ def test_a_phone_needs_no_sideways_scrolling(
     browser: Any, pages: dict[str, Path], name: str, output: Path
 ) -> None:
     """At 375 pixels nothing sticks out."""
-    visit = Visit(browser, pages[name], viewport={"width": 375, "height": 720})
-    width = visit.page.evaluate("document.documentElement.scrollWidth")
-    assert width <= 375
+    ready = "footer" if name == "none" else "html[data-ready]"
+    visit = Visit(browser, pages[name], ready, viewport=PHONE)
+    assert visit.width() <= 375
     visit.keep(output / f"{name}-phone.png")
     visit.close()
 
@@ -251,7 +166,7 @@ def test_without_webgl_the_numbers_still_follow(
     browser: Any, pages: dict[str, Path]
 ) -> None:
     """A browser that cannot draw says so, and table and strip work."""
-    visit = Visit(browser, pages["none"])
+    visit = Visit(browser, pages["none"], "footer")
     visit.page.add_init_script("HTMLCanvasElement.prototype.getContext = () => null")
     visit.page.goto(pages["issac"].as_uri())
     visit.page.wait_for_selector("html[data-ready]")
