@@ -11,7 +11,7 @@ from collections.abc import Iterable, Sequence
 from typing import Any
 
 import numpy as np
-from flint import arb, ctx, fmpq
+from flint import arb, ctx
 from numpy.typing import NDArray
 
 from cuspaudit.algebra.matrix import jacobian
@@ -36,10 +36,13 @@ class Evaluator:
         self._index: dict[_Exponents, int] = {(0,) * len(ring.context.names()): 0}
         self._steps: list[tuple[int, int]] = []
         terms = [ring.reduce(p).to_dict() for p in polynomials]
-        self._places = [[self._place(tuple(map(int, e))) for e in t] for t in terms]
-        self._exact: list[list[fmpq]] = [list(t.values()) for t in terms]
-        self._floats = [[int(c.p) / int(c.q) for c in row] for row in self._exact]
-        self._balls: dict[int, list[list[arb]]] = {}
+        self._terms = [
+            [(c, self._place(tuple(map(int, e)))) for e, c in t.items()] for t in terms
+        ]
+        self._floats = [
+            [(int(c.p) / int(c.q), k) for c, k in row] for row in self._terms
+        ]
+        self._balls: dict[int, list[list[tuple[arb, int]]]] = {}
 
     def balls(self, point: Sequence[arb]) -> list[arb]:
         """Enclosures of the values at a box, at the current precision."""
@@ -47,10 +50,9 @@ class Evaluator:
         monomials = [arb(1)]
         for parent, variable in self._steps:
             monomials.append(monomials[parent] * values[variable])
-        rows = self._ball_coefficients()
+        zero = arb(0)
         return [
-            sum((c * monomials[k] for c, k in zip(row, at, strict=True)), arb(0))
-            for row, at in zip(rows, self._places, strict=True)
+            sum([c * monomials[k] for c, k in row], zero) for row in self._ball_terms()
         ]
 
     def floats(self, point: Iterable[float]) -> list[float]:
@@ -60,10 +62,7 @@ class Evaluator:
         monomials = [1.0]
         for parent, variable in self._steps:
             monomials.append(monomials[parent] * values[variable])
-        return [
-            sum(c * monomials[k] for c, k in zip(row, at, strict=True))
-            for row, at in zip(self._floats, self._places, strict=True)
-        ]
+        return [sum([c * monomials[k] for c, k in row]) for row in self._floats]
 
     def _place(self, exponents: _Exponents) -> int:
         """The number of a monomial, entered after the one it is computed from."""
@@ -78,14 +77,16 @@ class Evaluator:
     def _surd_ball(self) -> list[arb]:
         return [arb(self.radicand).sqrt()] if self.radicand else []
 
-    def _ball_coefficients(self) -> list[list[arb]]:
+    def _ball_terms(self) -> list[list[tuple[arb, int]]]:
         if ctx.prec not in self._balls:
-            self._balls[ctx.prec] = [[arb(c) for c in row] for row in self._exact]
+            self._balls[ctx.prec] = [
+                [(arb(c), k) for c, k in row] for row in self._terms
+            ]
         return self._balls[ctx.prec]
 
 
 class Differentiable:
-    """Polynomials p_1..p_k with their first derivatives, over balls."""
+    """Polynomials p_1..p_k with their first derivatives."""
 
     def __init__(self, ring: Ring, polynomials: Sequence[Polynomial]) -> None:
         self.size = len(polynomials)
@@ -102,6 +103,13 @@ class Differentiable:
         """Enclosures of d p_i / d x_j over ``box``, rows in order."""
         entries, width = self._entries.balls(box), self._width
         return [entries[i * width : (i + 1) * width] for i in range(self.size)]
+
+    def floats(self, point: Iterable[float]) -> tuple[Table, Table]:
+        """Values (k,) and derivatives (k, n) at a point, in doubles."""
+        at = list(point)
+        entries = np.array(self._entries.floats(at))
+        shape = (self.size, self._width)
+        return np.array(self._values.floats(at)), entries.reshape(shape)
 
 
 class Jets:

@@ -13,7 +13,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from itertools import combinations, pairwise
 
-from flint import arb, arb_mat, ctx, fmpq
+from flint import arb, ctx, fmpq
 
 from cuspaudit.algebra.evaluation import Differentiable
 from cuspaudit.algebra.system import PolynomialMap, PolynomialSystem
@@ -107,7 +107,7 @@ def follow(
 ) -> Continuation | None:
     """Continue along one segment of values, at the working precision.
 
-    Steps are halved until the test holds and doubled when it does.
+    Steps are halved until the test holds; two that hold in a row are doubled.
 
     Args:
         chart: F = (f, g), whose coordinates stand for R.
@@ -118,7 +118,7 @@ def follow(
             lift, the box where it begins and the change of the values.
         smallest: the part of the segment below which a step is given up.
     """
-    at, size = fmpq(0), fmpq(1)
+    at, size, grow = fmpq(0), fmpq(1), True
     point, here, steps = start, y0, list[Lift]()
     while at < 1:
         step = min(size, 1 - at)
@@ -126,12 +126,13 @@ def follow(
         done = _step(chart, point, here, there)
         change = tuple(b - a for a, b in zip(here, there, strict=True))
         if done is None or not accept(done[0], point, change):
-            size = step / 2
+            size, grow = step / 2, False
             if size < smallest:
                 return None
             continue
         steps.append(done[0])
-        point, here, at, size = done[1], there, at + step, 2 * step
+        point, here, at = done[1], there, at + step
+        size, grow = (2 * step if grow else step), True
     return Continuation(tuple(steps), (start, point))
 
 
@@ -164,25 +165,11 @@ def square_chart(
 def _step(chart: Chart, point: Box, here: Box, there: Box) -> tuple[Lift, Box] | None:
     """The lift of one segment that holds ``point``, and the point at its end."""
     values = tuple(a.union(b) for a, b in zip(here, there, strict=True))
-    guess = _predicted(
-        chart, point, [(b - a) / 2 for a, b in zip(here, there, strict=True)]
-    )
-    found = lift(chart, guess, values, point) if guess else None
+    found = lift(chart, point, values, point)
     if found is None or not found.holds(here, point):
         return None
     end = sharpen(chart, found, there)
     return None if end is None else (found, end)
-
-
-def _predicted(chart: Chart, point: Box, change: Sequence[arb]) -> list[arb] | None:
-    """``point`` moved along the tangent by a ``change`` of the values."""
-    zeros = [arb(0)] * (len(point) - len(change))
-    try:
-        J = chart.jacobian([x.mid() for x in point]).mid()
-        moved = J.solve(arb_mat([[e] for e in (*zeros, *change)]))
-    except ZeroDivisionError:
-        return None
-    return [x.mid() + e.mid() for x, e in zip(point, moved.entries(), strict=True)]
 
 
 def _between(y0: Box, y1: Box, t: fmpq) -> Box:

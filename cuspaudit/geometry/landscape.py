@@ -60,6 +60,10 @@ class LinearForms:
         """The matrix itself."""
         return self.rows
 
+    def floats(self, point: Array) -> tuple[Array, Array]:
+        """Values and derivatives in doubles."""
+        return self.matrix @ point, self.matrix
+
 
 @dataclass(frozen=True, eq=False)
 class Tangent:

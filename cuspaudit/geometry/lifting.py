@@ -25,13 +25,19 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Protocol
 
+import numpy as np
 from flint import arb, arb_mat, ctx
+from numpy.typing import NDArray
+
+from cuspaudit.algebra.evaluation import Table
 
 __all__ = ["Chart", "Coordinates", "Lift", "lift", "sharpen"]
 
 _INFLATIONS = 4
-_CHORDS = 12
+_NEWTON = 6
+_CHORDS = 4
 
+Array = NDArray[np.float64]
 Box = tuple[arb, ...]
 
 
@@ -43,6 +49,9 @@ class Coordinates(Protocol):
 
     def jacobian(self, box: Sequence[arb]) -> list[list[arb]]:
         """Enclosures of the derivatives over ``box``, a row for each function."""
+
+    def floats(self, point: Array) -> tuple[Table, Table]:
+        """Values and derivatives at a point, in doubles."""
 
 
 @dataclass(frozen=True)
@@ -65,6 +74,22 @@ class Chart:
     def jacobian(self, box: Sequence[arb]) -> arb_mat:
         """F' over ``box``."""
         return arb_mat([*self.equations.jacobian(box), *self.coordinates.jacobian(box)])
+
+    def newton(self, point: Array, values: Array) -> Array:
+        """Newton steps in doubles towards the lift of ``values``; a guess.
+
+        Raises:
+            LinAlgError: a Jacobian matrix is singular.
+        """
+        for _ in range(_NEWTON):
+            f, J = self.equations.floats(point)
+            g, T = self.coordinates.floats(point)
+            defect = np.concatenate([f, g - values])
+            step = np.linalg.solve(np.vstack([J, T]), defect)
+            point = point - step
+            if not np.abs(step).max() > 1e-14 * (1 + np.abs(point).max()):
+                break
+        return point
 
 
 @dataclass(frozen=True)
@@ -101,9 +126,8 @@ def lift(
         reach: balls that X is asked to contain, as far as sizes go.
     """
     try:
-        middle = _newton(chart, guess, [y.mid() for y in values])
-        Y = chart.jacobian(middle).mid().inv().mid()
-    except ZeroDivisionError:
+        middle, Y = _centre(chart, guess, [y.mid() for y in values])
+    except (ZeroDivisionError, np.linalg.LinAlgError):
         return None
     size = len(middle)
     defect = Y * (chart.values(middle) - _column(size, values))
@@ -149,16 +173,25 @@ def contains(outer: Sequence[arb], inner: Sequence[arb]) -> bool:
     return all(a.contains(b) for a, b in zip(outer, inner, strict=True))
 
 
-def _newton(chart: Chart, guess: Sequence[arb], values: Sequence[arb]) -> list[arb]:
-    """Chord steps to the lift of ``values``, at the working precision."""
-    point, target = [x.mid() for x in guess], _column(len(guess), values)
+def _centre(
+    chart: Chart, guess: Sequence[arb], values: Sequence[arb]
+) -> tuple[list[arb], arb_mat]:
+    """A point close to the lift of ``values``, and the inverse of F' there, nearly.
+
+    By Newton's method in doubles, then by chords at the working precision.
+    """
+    start, goal = (np.array([float(x.mid()) for x in row]) for row in (guess, values))
+    rough = chart.newton(start, goal)
+    if not np.isfinite(rough).all():
+        raise ZeroDivisionError
+    point, target = [arb(float(x)) for x in rough], _column(len(guess), values)
     Y = chart.jacobian(point).mid().inv().mid()
     for _ in range(_CHORDS):
         step = (Y * (chart.values(point) - target)).entries()
         point = [(x - e).mid() for x, e in zip(point, step, strict=True)]
         if all(abs(e) < _grain() for e in step):
             break
-    return point
+    return point, Y
 
 
 def _column(size: int, values: Sequence[arb]) -> arb_mat:

@@ -26,7 +26,7 @@ __all__ = ["Ascent", "prove_ascent", "prove_path"]
 Array = NDArray[np.float64]
 
 _REACHES = (0.9, 0.5, 0.2, 0.05)
-_LEAP = fmpq(1, 16)
+_LEAP = fmpq(1, 4)
 
 
 @dataclass(frozen=True, eq=False)

@@ -7,7 +7,7 @@ import networkx as nx
 import numpy as np
 import pytest
 from flint import fmpq
-from surfaces import arm_map, plane, road_of, torus
+from surfaces import Build, arm_map, plane, road_of, torus
 
 from cuspaudit.algebra.ring import Polynomial, Ring
 from cuspaudit.algebra.system import PolynomialMap, PolynomialSystem
@@ -25,10 +25,10 @@ SPHERE = PolynomialSystem(SPACE, (X**2 + Y**2 + Z**2 - 1,))
 TORUS = PolynomialSystem(SPACE, ((X**2 + Y**2 + Z**2 + 3) ** 2 - 16 * (X**2 + Y**2),))
 
 
-def line(build: object) -> Pair:
+def line(build: Build) -> Pair:
     """The map x -> build(x) on the line."""
     ring = Ring(["x"])
-    return PolynomialSystem(ring), PolynomialMap(ring, (build(*ring.gens),))
+    return PolynomialSystem(ring), PolynomialMap(ring, build(*ring.gens))
 
 
 def routed(pair: Pair, *queries: tuple[int, ...]) -> Routing:
@@ -46,7 +46,7 @@ def circles(number: int) -> tuple[PolynomialSystem, list[Polynomial]]:
 
 MAPS: dict[str, tuple[Pair, int]] = {
     "identity": (plane(lambda x, y: (x, y)), 1),
-    "cubic": (line(lambda x: x**3 - 3 * x), 3),
+    "cubic": (line(lambda x: (x**3 - 3 * x,)), 3),
     "fold": (plane(lambda x, y: (x**2, y)), 2),
     "Whitney cusp": (plane(lambda x, y: (x**3 + x * y, y)), 2),
     "complex square": (plane(lambda x, y: (x**2 - y**2, 2 * x * y)), 1),
