@@ -30,23 +30,22 @@ open set is an identity modulo omega.
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from time import monotonic
 
 from flint import arb, arb_poly, ctx, fmpq, fmpq_poly
 
 from cuspaudit.algebra.elimination import discriminant, leading_coefficient
-from cuspaudit.algebra.elimination_basis import propose_elimination
 from cuspaudit.algebra.ideal import groebner_basis
 from cuspaudit.algebra.ring import Polynomial, Ring
 from cuspaudit.algebra.system import PolynomialMap, PolynomialSystem
 from cuspaudit.algebra.univariate import PRECISIONS, Univariate, real_balls
-from cuspaudit.errors import DegenerateMapError, PrecisionError, UnableError
+from cuspaudit.errors import PrecisionError, UnableError
+from cuspaudit.geometry.fiber_proposal import FiberProposer, Form
 
 __all__ = ["GenericFiber", "generic_fiber"]
-
-_FORMS = 24
 
 
 @dataclass(frozen=True, eq=False)
@@ -65,7 +64,7 @@ class GenericFiber:
     variety: PolynomialSystem
     mapping: PolynomialMap
     ring: Ring
-    form: tuple[int, ...]
+    form: Form
     omega: Polynomial
     rho: tuple[Polynomial, ...]
 
@@ -136,14 +135,13 @@ def generic_fiber(
 ) -> GenericFiber:
     """The fibers of R: V -> R^d as roots of one polynomial, proved.
 
-    The polynomials are proposed by elimination with dual numbers: modulo e_i e_j = 0
-    the points of a fiber satisfy omega(t) + sum_i e_i b_i(t) = 0 with
-    t = lambda(x) + sum_i e_i x_i; comparing coefficients, omega' x_i = -b_i.
+    The polynomials are proposed by elimination (``geometry.fiber_proposal``), and
+    proved here.
 
     Args:
         variety: V = {f = 0} over Q; assumption (A) of the paper is assumed.
-        mapping: R, dominant on every component of V.
-        timeout: in s, for every elimination.
+        mapping: R, dominant on a component of V at least.
+        timeout: in s, for all eliminations together.
         seed: of msolve's random choices.
 
     Raises:
@@ -153,14 +151,13 @@ def generic_fiber(
     if variety.ring.radicand is not None:
         raise UnableError("generic_fiber", "coefficients outside Q")
     ring = Ring(_fresh(variety.ring, len(mapping.components)))
+    proposer = FiberProposer(variety, mapping, ring, monotonic() + timeout, seed)
     reason = "no linear form tells the points of a generic fiber apart"
-    for form in itertools.islice(_forms(len(variety.ring.variables)), _FORMS):
-        found = _propose(variety, mapping, ring, form, timeout, seed)
+    for form in proposer.forms():
+        found = proposer.parametrized(form)
         if found is None:
             continue
         fiber = GenericFiber(variety, mapping, ring, form, *found)
-        if fiber.discriminant == 0:
-            continue
         if not _is_complete(fiber):
             reason = "the proposed fiber is not one modulo the equations of V"
             continue
@@ -174,70 +171,9 @@ def generic_fiber(
 def _fresh(ring: Ring, dimension: int) -> list[str]:
     """Names t, y1..yd, underlined until they are no variables of ``ring``."""
     names = ["t", *(f"y{i + 1}" for i in range(dimension))]
-    while set(names) & set(ring.variables):
+    while {*names, "e"} & set(ring.variables):
         names = [f"{name}_" for name in names]
     return names
-
-
-def _forms(size: int) -> Iterator[tuple[int, ...]]:
-    """Coordinates first, then forms with more and larger coefficients."""
-    for i in range(size):
-        yield tuple(int(i == j) for j in range(size))
-    for k in itertools.count(1):
-        yield tuple(1 + (k * (j + 1) * (j + 2)) % 7 for j in range(size))
-        yield tuple(((j + k) * (j + 1)) % 11 - 3 for j in range(size))
-
-
-def _propose(
-    variety: PolynomialSystem,
-    mapping: PolynomialMap,
-    ring: Ring,
-    form: tuple[int, ...],
-    timeout: float,
-    seed: int,
-) -> tuple[Polynomial, tuple[Polynomial, ...]] | None:
-    names = variety.ring.variables
-    duals = [f"e{i}_" * 2 for i in range(len(names))]
-    big = Ring([*names, *ring.variables, *duals])
-    x = [big.gen(name) for name in names]
-    e = [big.gen(name) for name in duals]
-    values = zip(ring.variables[1:], mapping.components, strict=True)
-    line = big.total(c * g for c, g in zip(form, x, strict=True))
-    system = [
-        *(big.from_other(p, variety.ring) for p in variety.equations),
-        *(big.gen(y) - big.from_other(r, variety.ring) for y, r in values),
-        big.gen(ring.variables[0])
-        - line
-        - big.total(a * b for a, b in zip(e, x, strict=True)),
-        *(a * b for a, b in itertools.combinations_with_replacement(e, 2)),
-    ]
-    basis = propose_elimination(big, system, len(names), timeout, seed)
-    return _read(big, ring, duals, basis)
-
-
-def _read(
-    big: Ring, ring: Ring, duals: Sequence[str], basis: Sequence[Polynomial]
-) -> tuple[Polynomial, tuple[Polynomial, ...]] | None:
-    """(omega, rho) from the element of the basis of the least degree in t."""
-    zero = (0,) * len(duals)
-    parts = [big.coefficients(p, duals) for p in basis]
-    useful = [part for part in parts if zero in part]
-    t = ring.variables[0]
-    place = big.variables.index(t)
-
-    def size(part: Mapping[tuple[int, ...], Polynomial]) -> tuple[int, int]:
-        return int(part[zero].degrees()[place]), int(part[zero].total_degree())
-
-    best = min(useful, key=size, default=None)
-    if best is None:
-        return None
-    if best[zero].is_constant() or size(best)[0] == 0:
-        raise DegenerateMapError("the values of the map fill no open set")
-    units = [tuple(int(i == j) for j in range(len(duals))) for i in range(len(duals))]
-    none = big.constant(0)
-    omega = ring.from_other(best[zero], big)
-    rho = (-ring.from_other(best.get(unit, none), big) for unit in units)
-    return omega, tuple(rho)
 
 
 def _is_complete(fiber: GenericFiber) -> bool:
