@@ -94,10 +94,11 @@ def check_robot(file: Path) -> Checked:
 
 
 def _found(record: Mapping[str, Any]) -> dict[str, Any]:
+    postures = record["postures"]
     return {
         "verdict": record["verdict"],
         "aspects": record["aspects"]["count"],
-        "max_postures": record["postures"]["max"],
+        "max_postures": postures["max"] if postures["proved"] else None,
         "cusps": record["singular"]["cusps"],
         "nodes": record["singular"]["nodes"],
     }

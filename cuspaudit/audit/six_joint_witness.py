@@ -10,6 +10,7 @@ from cuspaudit.audit.six_joint_search import SearchRecord, search
 from cuspaudit.audit.witness import Witness, certified
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import RetryableError
+from cuspaudit.geometry.cusps import Count
 from cuspaudit.kinematics.chain import Chain
 
 __all__ = ["Searched", "needs_search", "search_witness", "searched"]
@@ -61,7 +62,8 @@ def searched(
     if result.witness is None:
         why = f"{found.undecided.why}, and no witness was met in a search"
         reason = replace(found.undecided, why=why, search=result.record)
-        return replace(found, why=why, undecided=reason), None
+        postures = _postures(result.record)
+        return replace(found, why=why, postures=postures, undecided=reason), None
     why = f"a search met it in {result.record.poses} random poses"
     witness = result.witness
     if chain != literal:
@@ -72,6 +74,7 @@ def searched(
         found,
         verdict=Verdict.CUSPIDAL,
         why=why,
+        postures=_postures(result.record),
         undecided=None,
         search=result.record,
     )
@@ -104,6 +107,12 @@ def search_witness(
             return Searched(witness, found.record, refused, found.largest)
         refused = witness.verification.reason
     return Searched(None, found.record, refused, found.largest)
+
+
+def _postures(record: SearchRecord) -> Count | None:
+    """The most postures that a pose was seen to have."""
+    seen = [int(number) for number in record.postures]
+    return Count(max(seen), False) if seen else None
 
 
 def _same_path(witness: Witness, chain: Chain, largest: float) -> Witness | None:

@@ -241,8 +241,8 @@ def test_axes_that_coincide_leave_no_rank() -> None:
         "hyperplane-6r",
     ],
 )
-def test_general_arms_are_undecided(name: str) -> None:
-    """A 6R without a known structure is never called noncuspidal."""
+def test_no_theorem_speaks_of_general_arms(name: str) -> None:
+    """A 6R without a known structure is never called noncuspidal by one."""
     assert ask(snap(open_robot(name).chain)[0]).verdict is Verdict.UNDECIDED
 
 
