@@ -37,7 +37,9 @@ def main() -> None:
         except CuspauditError as error:
             assert "\n" not in str(error)
             return
-        table_text(snap(chain)[0])
+        snapped = snap(chain)[0]
+        table_text(snapped)
+        table_text(snapped, convention="modified")
 
     atheris.Setup([*sys.argv, "-timeout=5"], read)
     atheris.Fuzz()
