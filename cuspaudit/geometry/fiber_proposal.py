@@ -18,7 +18,7 @@ from cuspaudit.algebra.elimination_basis import propose_elimination
 from cuspaudit.algebra.matrix import determinant
 from cuspaudit.algebra.ring import Polynomial, Ring
 from cuspaudit.algebra.system import PolynomialMap, PolynomialSystem
-from cuspaudit.errors import DegenerateMapError, UnableError
+from cuspaudit.errors import UnableError
 
 __all__ = ["FiberProposer", "Form"]
 
@@ -67,13 +67,12 @@ class FiberProposer:
         """(omega, rho), or None when it cannot be read from the elimination.
 
         Raises:
-            DegenerateMapError: the values of the map fill no open set.
             UnableError: the time is over, or msolve fails.
         """
         pairs = []
         omega = self._omega(form)
         for i in range(len(form)):
-            found = self._eliminated(form, i)
+            found = self._eliminated(self._line(form), i)
             a, b = min(found, key=lambda pair: self._size(pair[0]))
             pair = self._cleared(omega, a, b)
             if pair is None:
@@ -117,15 +116,23 @@ class FiberProposer:
     def _is_monic(self, omega: Polynomial) -> bool:
         return bool(self._row(omega, self._degree(omega) + 1)[-1].is_constant())
 
-    def _omega(self, form: Form) -> Polynomial:
-        """The equation of t = lambda(x)."""
-        found = (a for a, _ in self._eliminated(form, None))
+    def equation(self, function: Polynomial) -> Polynomial:
+        """An equation of the least degree for t = h(x), h the ``function``."""
+        found = (a for a, _ in self._eliminated(function, None))
         return min(found, key=self._size)
+
+    def _omega(self, form: Form) -> Polynomial:
+        return self.equation(self._line(form))
+
+    def _line(self, form: Form) -> Polynomial:
+        """The linear form lambda."""
+        ring = self.variety.ring
+        return ring.total(c * g for c, g in zip(form, ring.gens, strict=True))
 
     def _values_of(self, form: Form) -> int:
         """How many values lambda has on the fiber over one rational value."""
         value = [fmpq(7**j + 1, 2 * j + 1) for j in range(1, len(self.ring.variables))]
-        found = self._eliminated(form, None, value)
+        found = self._eliminated(self._line(form), None, value)
         return max((self._degree(a) for a, _ in found), default=0)
 
     def _degree(self, omega: Polynomial) -> int:
@@ -135,20 +142,19 @@ class FiberProposer:
         return self._degree(omega), int(omega.total_degree())
 
     def _eliminated(
-        self, form: Form, dual: int | None, value: Sequence[fmpq] = ()
+        self, function: Polynomial, dual: int | None, value: Sequence[fmpq] = ()
     ) -> list[tuple[Polynomial, Polynomial]]:
-        """All (a, b) with a + e b in a basis without x, for t = lambda(x) + e x_i."""
+        """All (a, b) with a + e b in a basis without x, for t = h(x) + e x_i."""
         source = self.variety.ring
         big = Ring([*source.variables, *self.ring.variables, "e"])
         x = [big.gen(name) for name in source.variables]
         t, *y = (big.gen(name) for name in self.ring.variables)
         e = big.gen("e")
-        line = big.total(c * g for c, g in zip(form, x, strict=True))
         values = zip(y, self.mapping.components, strict=True)
         system = [
             *(big.from_other(p, source) for p in self.variety.equations),
             *(y - big.from_other(r, source) for y, r in values),
-            t - line - (0 if dual is None else e * x[dual]),
+            t - big.from_other(function, source) - (0 if dual is None else e * x[dual]),
             e if dual is None else e * e,
             *(a - b for a, b in zip(y, value, strict=False)),
         ]
@@ -163,7 +169,7 @@ class FiberProposer:
             found.append((self.ring.from_other(a, big), self.ring.from_other(b, big)))
         found = [(a, b) for a, b in found if a != 0]
         if not value and any(self._degree(a) == 0 for a, _ in found):
-            raise DegenerateMapError("the values of the map fill no open set")
+            raise UnableError("generic_fiber", "the values seem to fill no open set")
         return found
 
 

@@ -38,14 +38,15 @@ from time import monotonic
 from flint import arb, arb_poly, ctx, fmpq, fmpq_poly
 
 from cuspaudit.algebra.elimination import discriminant, leading_coefficient
-from cuspaudit.algebra.ideal import groebner_basis
 from cuspaudit.algebra.ring import Polynomial, Ring
 from cuspaudit.algebra.system import PolynomialMap, PolynomialSystem
 from cuspaudit.algebra.univariate import PRECISIONS, Univariate, real_balls
-from cuspaudit.errors import PrecisionError, UnableError
+from cuspaudit.errors import DegenerateMapError, PrecisionError, UnableError
+from cuspaudit.geometry.crit import crit
 from cuspaudit.geometry.fiber_proposal import FiberProposer, Form
+from cuspaudit.geometry.pullback import pull_back, vanishes_on
 
-__all__ = ["GenericFiber", "generic_fiber"]
+__all__ = ["GenericFiber", "function_equation", "generic_fiber"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -127,6 +128,26 @@ class GenericFiber:
         return Univariate.from_polynomial(self.ring, special, name).rational
 
 
+def function_equation(
+    fiber: GenericFiber, function: Polynomial, timeout: float = 60.0, seed: int = 1
+) -> Polynomial:
+    """An equation mu(h(x); R(x)) = 0 on V, mu in Q[y][t], proved; h the ``function``.
+
+    Every value of h on a generic fiber is a root, and conversely unless msolve was
+    unlucky, which makes mu larger than needed.
+
+    Raises:
+        UnableError: no equation was found, or it could not be proved.
+    """
+    variety, mapping = fiber.variety, fiber.mapping
+    end = monotonic() + timeout
+    mu = FiberProposer(variety, mapping, fiber.ring, end, seed).equation(function)
+    pulled = pull_back(variety, fiber.ring, mu, (function, *mapping.components))
+    if not vanishes_on(variety, pulled):
+        raise UnableError("generic_fiber", "an equation of a function is not proved")
+    return mu
+
+
 def generic_fiber(
     variety: PolynomialSystem,
     mapping: PolynomialMap,
@@ -145,11 +166,13 @@ def generic_fiber(
         seed: of msolve's random choices.
 
     Raises:
-        DegenerateMapError: the values of R on V lie on a hypersurface.
+        DegenerateMapError: every minor of jac(f, R) vanishes on V.
         UnableError: no linear form among those tried could be proved to do.
     """
     if variety.ring.radicand is not None:
         raise UnableError("generic_fiber", "coefficients outside Q")
+    if all(vanishes_on(variety, minor) for minor in crit(variety, mapping)):
+        raise DegenerateMapError("the map has full rank nowhere on V")
     ring = Ring(_fresh(variety.ring, len(mapping.components)))
     proposer = FiberProposer(variety, mapping, ring, monotonic() + timeout, seed)
     reason = "no linear form tells the points of a generic fiber apart"
@@ -184,11 +207,11 @@ def _is_complete(fiber: GenericFiber) -> bool:
     slope = fiber.omega.derivative(fiber.ring.variables[0])
 
     def pulled(polynomial: Polynomial) -> Polynomial:
-        return _compose(fiber, polynomial, fiber.ring.variables, at)
+        return pull_back(fiber.variety, fiber.ring, polynomial, at)
 
     slope_at = pulled(slope)
-    return _vanishes(fiber, pulled(fiber.omega)) and all(
-        _vanishes(fiber, slope_at * g - pulled(p))
+    return vanishes_on(fiber.variety, pulled(fiber.omega)) and all(
+        vanishes_on(fiber.variety, slope_at * g - pulled(p))
         for g, p in zip(x, fiber.rho, strict=True)
     )
 
@@ -225,40 +248,3 @@ def _values(dimension: int) -> Iterator[tuple[fmpq, ...]]:
     """Rational points of R^d on a curve that no hypersurface holds for ever."""
     for k in itertools.count(1):
         yield tuple(fmpq(k**j + 1, 2 * j + 1) for j in range(1, dimension + 1))
-
-
-def _compose(
-    fiber: GenericFiber,
-    polynomial: Polynomial,
-    names: Sequence[str],
-    at: Sequence[Polynomial],
-) -> Polynomial:
-    """``polynomial`` with ``names`` replaced by functions on V, by Horner's rule."""
-    ring = fiber.variety.ring
-    if not names:
-        return ring.constant(polynomial.leading_coefficient() if polynomial else 0)
-    parts = fiber.ring.coefficients(polynomial, names[:1])
-    total = ring.constant(0)
-    for power in range(max(parts, default=(0,))[0], -1, -1):
-        total = _reduce(fiber, total * at[0])
-        if (power,) in parts:
-            total += _compose(fiber, parts[power,], names[1:], at[1:])
-    return _reduce(fiber, total)
-
-
-def _vanishes(fiber: GenericFiber, polynomial: Polynomial) -> bool:
-    """Whether a polynomial belongs to <f>: by plain division, else by a basis."""
-    rest = _reduce(fiber, polynomial)
-    if rest == 0 or len(fiber.variety.equations) < 2:
-        return bool(rest == 0)
-    return groebner_basis(fiber.variety.ring, fiber.variety.equations).contains(rest)
-
-
-def _reduce(fiber: GenericFiber, polynomial: Polynomial) -> Polynomial:
-    """Another representative modulo <f>, by division."""
-    previous = None
-    while previous != polynomial:
-        previous = polynomial
-        for f in fiber.variety.equations:
-            polynomial = divmod(polynomial, f)[1]
-    return polynomial

@@ -18,10 +18,10 @@ homeomorphism there, and does not disconnect M. Left are the contacts. Along one
 the same sheets continue each other over almost all of its points: at a point of the
 wall {g = 0} is smooth, so after a base change the sheets are Puiseux series in a power
 of its equation with coefficients analytic along the wall (Abhyankar-Jung); those
-without ramification and poles are sections of R, and a section through a point where
-V is smooth lies in {Delta != 0}, while one through {Delta != 0} does so nearby. Hence a
-chosen point of the wall can miss a pair only if V is singular over it; where pairs may
-be missing this is checked (``geometry.wall_points``). QED
+without ramification and poles are sections of R. A section through {Delta != 0} at one
+point of the wall is there at almost all; so the chosen point can only miss a pair if
+Delta vanishes there on a section that it does not vanish on elsewhere. Where a pair may
+be missing this is excluded exactly (``geometry.wall_points``). QED
 """
 
 from __future__ import annotations

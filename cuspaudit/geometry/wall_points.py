@@ -2,22 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass, field
-from itertools import combinations
+from functools import cached_property
 
 from flint import arb, ctx, fmpq_poly
 
+from cuspaudit.algebra.elimination import square_free_factors
 from cuspaudit.algebra.evaluation import Evaluator
-from cuspaudit.algebra.matrix import determinant, jacobian
 from cuspaudit.algebra.parametrization import ZeroDimensionalParametrization
-from cuspaudit.algebra.ring import Polynomial, Ring
+from cuspaudit.algebra.ring import Polynomial
 from cuspaudit.algebra.system import PolynomialSystem
-from cuspaudit.algebra.univariate import PRECISIONS
+from cuspaudit.algebra.univariate import PRECISIONS, Univariate
 from cuspaudit.algebra.zero_dimensional import solve_zero_dimensional
-from cuspaudit.errors import NotZeroDimensionalError, PrecisionError, UnableError
+from cuspaudit.errors import PrecisionError, UnableError
 from cuspaudit.geometry.crit import crit
-from cuspaudit.geometry.generic_fiber import GenericFiber
+from cuspaudit.geometry.generic_fiber import GenericFiber, function_equation
 from cuspaudit.geometry.open_cells import Contact
 
 __all__ = ["WallPoints"]
@@ -42,36 +41,56 @@ class WallPoints:
     def regular(self, contact: Contact) -> int:
         """The number of real points of V with Delta != 0 over ``contact``.
 
-        It is also the number over almost every other point of the same wall: checked
-        is that V has no real singular point over the contact, when d > 1
-        (``geometry.sheet_roadmap``, proof of the theorem).
+        It is checked that it is the largest number over a point of the same wall, when
+        d > 1. Let mu in Q[y][t] be an equation of Delta over Q(y), c_0, c_1, ... its
+        coefficients, g the irreducible polynomial of the wall, k the first index with
+        g not dividing c_k. Where c_k is not 0 on the wall, exactly k of the values of
+        Delta tend to 0. So there, a sheet along which Delta tends to 0 does so along
+        the wall, and none is regular elsewhere only.
 
         Raises:
-            UnableError: V is singular there, or a system is too large.
+            UnableError: c_k = 0 over the contact, or a system is too large.
         """
-        ring = self.fiber.variety.ring
-        system = self._over(contact)
-        if len(self.fiber.values) > 1:
-            self._check_smooth(contact, system)
-        minors = crit(self.fiber.variety, self.fiber.mapping)
-        delta = minors[0]
-        if len(minors) > 1:
-            delta = ring.total(minor * minor for minor in minors)
-        return self._count(contact, self._solve(system, delta))
+        if len(self.fiber.values) > 1 and not self._is_generic(contact):
+            raise UnableError("roadmap", "an unlucky point of a wall was chosen")
+        return self._count(contact, self._solve(self._over(contact), self._delta))
 
-    def _check_smooth(self, contact: Contact, system: PolynomialSystem) -> None:
-        variety = self.fiber.variety
-        size = len(variety.ring.variables) - len(self.fiber.values)
-        singular = _minors(variety.ring, variety.equations, size)
-        if any(p.is_constant() for p in singular):
-            return
-        try:
-            larger = PolynomialSystem(variety.ring, (*system.equations, *singular))
-            found = self._count(contact, self._solve(larger, None))
-        except NotZeroDimensionalError:
-            found = 1
-        if found:
-            raise UnableError("roadmap", "V is singular over a wall of atypical values")
+    @cached_property
+    def _delta(self) -> Polynomial:
+        """Delta, or the sum of the squares of several minors: the same real zeros."""
+        ring = self.fiber.variety.ring
+        minors = crit(self.fiber.variety, self.fiber.mapping)
+        return minors[0] if len(minors) == 1 else ring.total(m * m for m in minors)
+
+    @cached_property
+    def _coefficients(self) -> list[Polynomial]:
+        """Those of mu, lowest first."""
+        ring = self.fiber.ring
+        mu = function_equation(self.fiber, self._delta, self.timeout, self.seed)
+        parts = ring.coefficients(mu, ring.variables[:1])
+        zero = ring.constant(0)
+        return [parts.get((k,), zero) for k in range(max(parts)[0] + 1)]
+
+    def _is_generic(self, contact: Contact) -> bool:
+        wall = next(
+            g
+            for g in square_free_factors(
+                self.fiber.ring, [self.fiber.leading, self.fiber.discriminant]
+            )
+            if self._is_zero(g, contact)
+        )
+        lowest = next(c for c in self._coefficients if divmod(c, wall)[1] != 0)
+        return not self._is_zero(lowest, contact)
+
+    def _is_zero(self, polynomial: Polynomial, contact: Contact) -> bool:
+        """Whether a polynomial of Q[y] vanishes on the contact, exactly."""
+        ring, names = self.fiber.ring, self.fiber.values
+        name = names[contact.axis]
+        at = dict(zip(names, contact.ends[0], strict=True))
+        del at[name]
+        special = ring.substitute(polynomial, at)
+        along = Univariate.from_polynomial(ring, special, name).rational
+        return bool(along % fmpq_poly(contact.root.polynomial) == 0)
 
     def _over(self, contact: Contact) -> PolynomialSystem:
         """The points of V over the contact, or over a conjugate of its root."""
@@ -88,7 +107,7 @@ class WallPoints:
         return PolynomialSystem(ring, tuple(equations))
 
     def _solve(
-        self, system: PolynomialSystem, nonzero: Polynomial | None
+        self, system: PolynomialSystem, nonzero: Polynomial
     ) -> ZeroDimensionalParametrization:
         points = solve_zero_dimensional(
             system, nonzero=nonzero, timeout=self.timeout, seed=self.seed
@@ -113,17 +132,3 @@ class WallPoints:
             else:
                 raise PrecisionError("a point over a wall", PRECISIONS[-1])
         return total
-
-
-def _minors(ring: Ring, equations: Sequence[Polynomial], size: int) -> list[Polynomial]:
-    """All minors of this size of the Jacobian matrix; [1] for size 0."""
-    if size == 0:
-        return [ring.constant(1)]
-    matrix = jacobian(ring, equations)
-    columns = list(combinations(range(len(ring.variables)), size))
-    minors = [
-        determinant(ring, [[row[j] for j in chosen] for row in rows])
-        for rows in combinations(matrix, size)
-        for chosen in columns
-    ]
-    return [p for p in minors if p != 0]
