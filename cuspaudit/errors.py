@@ -11,6 +11,7 @@
       AssumptionError          a hypothesis fails here: no answer exists by this route
         NotSquareError
         DegenerateMapError
+        NotOnVarietyError
         NotZeroDimensionalError
         NotRadicalError
         NotEquidimensionalError
@@ -38,6 +39,7 @@ __all__ = [
     "InvalidRobotError",
     "InvalidSystemError",
     "NotEquidimensionalError",
+    "NotOnVarietyError",
     "NotRadicalError",
     "NotSquareError",
     "NotZeroDimensionalError",
@@ -122,6 +124,19 @@ class NotSquareError(AssumptionError):
             f"{rows} equations and components for {variables} variables; a decision "
             "needs as many components as the variety has dimensions"
         )
+
+
+class NotOnVarietyError(AssumptionError):
+    """A query point does not lie on V - {Delta = 0}.
+
+    Attributes:
+        point: the point as the caller gave it, in text.
+    """
+
+    def __init__(self, point: str, found: str) -> None:
+        """Name the point and what fails there."""
+        self.point = point
+        super().__init__(f"the point {point} is not a query point: {found}")
 
 
 class DegenerateMapError(AssumptionError):

@@ -15,7 +15,7 @@ from __future__ import annotations
 
 import random
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import combinations
 
@@ -26,8 +26,9 @@ from cuspaudit.algebra.evaluation import Jets, Table
 from cuspaudit.algebra.matrix import determinant
 from cuspaudit.algebra.ring import Polynomial, Ring
 from cuspaudit.algebra.system import PolynomialSystem
+from cuspaudit.errors import DegenerateMapError
 
-__all__ = ["Height", "critical_system", "heights", "is_visibly_bounded"]
+__all__ = ["Height", "critical_system", "heights", "is_visibly_bounded", "plain_height"]
 
 _WEIGHTS = 4
 
@@ -42,7 +43,6 @@ class Height:
         power: 2 for one minor, 1 for a sum of squares.
         weight: W = 1 + |x - a|^2.
         decay: k; 0 for w = 1.
-        seed: where a comes from.
     """
 
     ring: Ring
@@ -50,7 +50,6 @@ class Height:
     power: int
     weight: Polynomial
     decay: int
-    seed: int
 
     @cached_property
     def jets(self) -> Jets:
@@ -85,6 +84,20 @@ class Height:
         return gradient, hessian - self.decay * (ddW / W - dW[:, None] * dW[None, :])
 
 
+def plain_height(ring: Ring, minors: Sequence[Polynomial]) -> Height:
+    """G = log h^2, without a weight.
+
+    Raises:
+        DegenerateMapError: no minors.
+    """
+    if not minors:
+        raise DegenerateMapError("all minors of jac(f, R) vanish identically")
+    if len(minors) == 1:
+        return Height(ring, minors[0], 2, ring.constant(1), 0)
+    squares = ring.total(minor * minor for minor in minors)
+    return Height(ring, squares, 1, ring.constant(1), 0)
+
+
 def heights(
     variety: PolynomialSystem, minors: Sequence[Polynomial], seed: int
 ) -> Iterator[Height]:
@@ -93,15 +106,13 @@ def heights(
     Without weight when V is visibly bounded; then with random centres a.
     """
     ring = variety.ring
-    single = len(minors) == 1
-    P = minors[0] if single else ring.total(minor * minor for minor in minors)
-    power = 2 if single else 1
+    plain = plain_height(ring, minors)
     bounded = is_visibly_bounded(variety)
     if bounded:
-        yield Height(ring, P, power, ring.constant(1), 0, seed)
-    decay = 1 if bounded else int(power * P.total_degree()) // 2 + 1
+        yield plain
+    decay = 1 if bounded else int(plain.power * plain.base.total_degree()) // 2 + 1
     for number in range(seed, seed + _WEIGHTS):
-        yield Height(ring, P, power, _weight(ring, number), decay, number)
+        yield replace(plain, weight=_weight(ring, number), decay=decay)
 
 
 def critical_system(

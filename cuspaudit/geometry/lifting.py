@@ -31,7 +31,7 @@ from numpy.typing import NDArray
 
 from cuspaudit.algebra.evaluation import Table
 
-__all__ = ["Chart", "Coordinates", "Lift", "lift", "sharpen"]
+__all__ = ["Chart", "Coordinates", "Lift", "contains", "lift", "sharpen"]
 
 _INFLATIONS = 4
 _NEWTON = 6

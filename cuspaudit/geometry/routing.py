@@ -29,6 +29,8 @@ path between maxima that the saddle is the first to connect.
 
 from __future__ import annotations
 
+import math
+import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
@@ -42,7 +44,12 @@ from cuspaudit.algebra.parametrization import RealPoint
 from cuspaudit.algebra.ring import Polynomial, Ring
 from cuspaudit.algebra.system import PolynomialMap, PolynomialSystem
 from cuspaudit.algebra.zero_dimensional import solve_zero_dimensional
-from cuspaudit.errors import NotZeroDimensionalError, UnableError
+from cuspaudit.errors import (
+    NotOnVarietyError,
+    NotZeroDimensionalError,
+    PrecisionError,
+    UnableError,
+)
 from cuspaudit.geometry.height import critical_system, heights
 from cuspaudit.geometry.landscape import Landscape
 from cuspaudit.geometry.lifting import Box
@@ -55,12 +62,46 @@ from cuspaudit.geometry.morse import (
 )
 from cuspaudit.geometry.proved_ascent import Ascent, prove_ascent
 
-__all__ = ["Point", "Routing", "morse_graph", "routing"]
+__all__ = ["Point", "Routing", "Way", "morse_graph", "routing"]
 
 Array = NDArray[np.float64]
 Point = RealPoint | Sequence[fmpq | int]
 
 _BITS = (106, 212, 424, 848)
+
+
+@dataclass(frozen=True, eq=False)
+class Way:
+    """A proved way from one maximum over a saddle to another.
+
+    Attributes:
+        ascents: from the saddle to either maximum.
+        level: of G at the saddle.
+    """
+
+    ascents: tuple[Ascent, Ascent]
+    level: float
+
+    @property
+    def begins(self) -> int:
+        """The maximum where it begins."""
+        return self.ascents[0].top
+
+    @property
+    def places(self) -> Array:
+        """(m, n) way points."""
+        down, up = self.ascents
+        return np.concatenate([down.places[::-1], up.places])
+
+    @property
+    def boxes(self) -> list[Box]:
+        """Boxes that cover it between the basins of the two maxima."""
+        down, up = self.ascents
+        return [step.image for step in (*reversed(down.steps), *up.steps)]
+
+    def beginning_at(self, top: int) -> Way:
+        """The same way, turned round if need be."""
+        return self if self.begins == top else Way(self.ascents[::-1], self.level)
 
 
 @dataclass(frozen=True, eq=False)
@@ -72,7 +113,7 @@ class Routing:
         maxima: all maxima of G.
         saddles: all critical points with exactly one positive eigenvalue.
         graph: a vertex for each maximum, by number; an edge where a saddle joins two
-            maxima, with its ``level`` (of G) and the ``places`` of the way over it.
+            maxima, with the ``way`` over it and its ``level``.
         basins: of the maxima.
         grounds: what the list of critical points being complete rests on.
         seed: of the ascents.
@@ -113,21 +154,47 @@ class Routing:
     def path(self, first: Point, second: Point) -> Array:
         """Way points (m, n) between two connected points, over the highest saddles."""
         a, b = self._ascent(first), self._ascent(second)
+        ways = [a.places, *(way.places for way in self._ways(a.top, b.top))]
+        return np.concatenate([*ways, b.places[::-1]])
+
+    def boxes(self, first: Point, second: Point) -> tuple[Box, ...]:
+        """Boxes in R^n, one after the other, that hold ``path``; P != 0 on each."""
+        a, b = self._ascent(first), self._ascent(second)
+        boxes = [step.image for step in a.steps]
+        for way in self._ways(a.top, b.top):
+            boxes += [self.basins[way.begins].lift.image, *way.boxes]
+        boxes.append(self.basins[b.top].lift.image)
+        return tuple(boxes + [step.image for step in reversed(b.steps)])
+
+    def clearance(self, first: Point, second: Point) -> float:
+        """The largest c such that some path between two points has |h| >= c.
+
+        Sure to about six digits: the ascents of the points are proved to stay above
+        their own level less 2^-20.
+
+        Raises:
+            UnableError: a weight was needed; then heights are not those of |h|.
+        """
+        if self.landscape.height.decay:
+            raise UnableError("clearance", "the critical points of |h| are degenerate")
+        a, b = self._ascent(first), self._ascent(second)
+        ways = self._ways(a.top, b.top)
+        return math.exp(min(a.level, b.level, *(way.level for way in ways)) / 2)
+
+    def _ways(self, first: int, second: int) -> list[Way]:
+        """The ways between maxima over the highest saddles, each turned forward."""
         tree = nx.maximum_spanning_tree(self.graph, weight="level")
-        way = [a.places]
-        for u, v in pairwise(nx.shortest_path(tree, a.top, b.top)):
-            edge = tree.edges[u, v]
-            way.append(edge["places"] if edge["begins"] == u else edge["places"][::-1])
-        return np.concatenate([*way, b.places[::-1]])
+        pairs = pairwise(nx.shortest_path(tree, first, second))
+        return [tree.edges[u, v]["way"].beginning_at(u) for u, v in pairs]
 
     def _ascent(self, point: Point) -> Ascent:
         key = point if isinstance(point, RealPoint) else tuple(point)
         if key not in self.ascents:
+            _check_query(self.landscape, point)
             ball = _ball(self.landscape.variety.ring, point, _BITS[1])
-            found = prove_ascent(self.landscape, ball, None, self.basins, self.seed)
-            if found is None:
-                raise UnableError("routing", "no ascent from a query point was proved")
-            self.ascents[key] = found
+            self.ascents[key] = _query_ascent(
+                self.landscape, ball, self.basins, self.seed
+            )
         return self.ascents[key]
 
 
@@ -149,7 +216,7 @@ def routing(
         minors: those of ``crit``; their common zeros on V are {Delta = 0}.
         queries: points of V with Delta != 0.
         seed: of the weights and ascents.
-        timeout: seconds for one complete list of critical points.
+        timeout: seconds for the whole graph, looked at between steps.
         progress: called with the name of each step before it runs.
 
     Raises:
@@ -186,21 +253,22 @@ def morse_graph(
         dimension: d.
         minors: any polynomials, not all zero on a component of V.
         seed: of the weights and ascents.
-        timeout: seconds for one complete list of critical points.
+        timeout: seconds for the whole graph, looked at between steps.
         progress: called with the name of each step before it runs.
     """
+    end = time.monotonic() + timeout
     why = "no height"
     for height in heights(variety, minors, seed):
         landscape = Landscape(variety, dimension, height)
         progress("routing: critical points")
         try:
-            critical, grounds = _critical_points(landscape, timeout, seed)
+            critical, grounds = _critical_points(landscape, _left(end), seed)
         except NotZeroDimensionalError as error:
             why = str(error)
             continue
         if critical is not None:
             progress("routing: ascents")
-            return _joined(landscape, critical, grounds, seed)
+            return _joined(landscape, critical, grounds, seed, end)
         why = "a critical point is degenerate"
     raise UnableError("routing", f"with every weight tried: {why}")
 
@@ -232,6 +300,18 @@ def _critical_points(
     return points, found.grounds
 
 
+def _left(end: float) -> float:
+    """The seconds left.
+
+    Raises:
+        UnableError: none.
+    """
+    left = end - time.monotonic()
+    if left <= 0:
+        raise UnableError("routing", "out of time")
+    return left
+
+
 def _classified(landscape: Landscape, point: RealPoint) -> CriticalPoint | None:
     for bits in _BITS:
         with ctx.workprec(bits):
@@ -247,6 +327,7 @@ def _joined(
     critical: Sequence[CriticalPoint],
     grounds: tuple[str, ...],
     seed: int,
+    end: float,
 ) -> Routing:
     """The graph of all maxima and saddles, from the highest saddle down.
 
@@ -262,15 +343,12 @@ def _joined(
         side = [i for i, top in enumerate(maxima) if top.sign == saddle.sign]
         if not side or nx.is_connected(graph.subgraph(side)):
             continue
+        _left(end)
         ahead, back = _two_ascents(landscape, saddle, basins, seed)
         if ahead.top != back.top and not graph.has_edge(ahead.top, back.top):
-            graph.add_edge(
-                ahead.top,
-                back.top,
-                level=float(saddle.level.mid()),
-                begins=ahead.top,
-                places=np.concatenate([ahead.places[::-1], back.places]),
-            )
+            level = float(saddle.level.mid())
+            way = Way((ahead, back), level)
+            graph.add_edge(ahead.top, back.top, level=level, way=way)
     return Routing(
         landscape, tuple(maxima), tuple(saddles), graph, tuple(basins), grounds, seed
     )
@@ -296,7 +374,41 @@ def _two_ascents(
     ]
     if ways[0] is None or ways[1] is None:
         raise UnableError("routing", "no ascent from a saddle was proved")
-    return ways[0], ways[1]
+    ahead, back = (
+        way.after(exit_.lift, saddle.place)
+        for way, exit_ in zip(ways, pair, strict=True)
+        if way is not None
+    )
+    return ahead, back
+
+
+def _query_ascent(
+    landscape: Landscape, ball: Box, basins: Sequence[Basin], seed: int
+) -> Ascent:
+    level = landscape.height.value(ball)
+    if level is None:
+        raise PrecisionError("the sign of Delta at a query point", _BITS[1])
+    found = prove_ascent(landscape, ball, level - arb(2) ** -20, basins, seed)
+    if found is None:
+        raise UnableError("routing", "no ascent from a query point was proved")
+    return found
+
+
+def _check_query(landscape: Landscape, point: Point) -> None:
+    """Exactly: f = 0 and P != 0 at the point."""
+    ring, base = landscape.variety.ring, landscape.height.base
+    own = Ring(tuple(ring.context.names()))
+
+    def vanishes(polynomial: Polynomial) -> bool:
+        if isinstance(point, RealPoint):
+            return point.sign(polynomial, own) == 0
+        values = dict(zip(ring.variables, point, strict=True))
+        return bool(ring.reduce(ring.substitute(polynomial, values)) == 0)
+
+    if not all(map(vanishes, landscape.variety.equations)):
+        raise NotOnVarietyError(str(point), "it is not on V")
+    if vanishes(base):
+        raise NotOnVarietyError(str(point), "Delta = 0 there")
 
 
 def _ball(ring: Ring, point: Point, bits: int) -> Box:
