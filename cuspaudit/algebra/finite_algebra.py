@@ -180,9 +180,9 @@ def parametrize(
 
 def linear_forms(n: int, seed: int) -> Iterator[tuple[fmpq, ...]]:
     """Forms on Q^n, small first and without end; x_1 first when n = 1."""
-    chosen, size = random.Random(seed), 2
+    chosen, size = random.Random(seed), 3
     while True:
-        weights = [chosen.randint(-size, size) for _ in range(n)]
+        weights = [chosen.choice((-1, 1)) * chosen.randint(1, size) for _ in range(n)]
         yield tuple(fmpq(w) for w in weights) if n > 1 else (fmpq(1),)
         size += 2
 

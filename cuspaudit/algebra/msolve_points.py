@@ -2,7 +2,8 @@
 
 msolve is asked for a parametrization (``-P 2``) of the system with one more variable,
 last and equal to a linear form, which then is its parameter. It may still add a
-variable ``A`` of its own. Its conventions are x_i = -p_i(t) / (c_i w'(t)), w not monic.
+variable ``A`` of its own, minus the linear form of the others that it prints. Its
+conventions are x_i = -p_i(t) / (c_i w'(t)), w not monic.
 The variables are renamed for it. Nothing of that is trusted: what is read must satisfy
 the definition of a parametrization, and every equation must vanish modulo omega.
 """
@@ -62,7 +63,11 @@ def msolve_points(
     if found is None:
         return empty_set(variables)
     check_solves(found, larger, system)
-    kept = restricted(found, tuple(own[x] for x in variables), form, seed)
+    weights = dict(zip(found.variables, found.form, strict=True))
+    read = tuple(
+        weights[own[x]] + weights["t"] * w for x, w in zip(variables, form, strict=True)
+    )
+    kept = restricted(found, tuple(own[x] for x in variables), read, seed)
     return replace(kept, variables=tuple(variables))
 
 
@@ -121,13 +126,15 @@ def parse_parametrization(answer: str) -> ZeroDimensionalParametrization | None:
 
 
 def _from_lists(body: list[Any]) -> ZeroDimensionalParametrization:
-    _, _, _, names, _, (_, (omega, _, numerators)) = body
+    _, _, _, names, weights, (_, (omega, _, numerators)) = body
     polynomial = _polynomial(omega)
     lead = polynomial[polynomial.degree()]
     monic = polynomial / lead
     rho = [-_polynomial(p) / (fmpq(fmpz(c)) * lead) for p, c in numerators]
     last = fmpq_poly([0, 1]) * monic.derivative() % monic
     form = (fmpq(0),) * len(rho) + (fmpq(1),)
+    if names[-1] == "A":
+        form = (*(fmpq(-fmpz(w)) for w in weights[:-1]), fmpq(0))
     return ZeroDimensionalParametrization(tuple(names), monic, (*rho, last), form)
 
 

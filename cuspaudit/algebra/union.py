@@ -9,15 +9,16 @@ from flint import fmpq, fmpq_mat, fmpq_poly
 from cuspaudit.algebra.finite_algebra import (
     FiniteAlgebra,
     linear_forms,
-    parametrization_of,
     parametrize,
 )
 from cuspaudit.algebra.parametrization import ZeroDimensionalParametrization
-from cuspaudit.errors import InvalidSystemError
+from cuspaudit.errors import InvalidSystemError, UnableError
 
 __all__ = ["restricted", "union", "with_form"]
 
 Form = tuple[fmpq, ...]
+
+_MOST_POINTS = 30
 
 
 def union(
@@ -80,6 +81,9 @@ def restricted(
         variables: the coordinates to keep, in the order wanted.
         form: used when it is the parameter already; otherwise one from ``seed`` is.
         seed: of the forms.
+
+    Raises:
+        UnableError: another form is needed for too many points.
     """
     own = dict(zip(parametrization.variables, parametrization.rho, strict=True))
     rho = tuple(own[name] for name in variables)
@@ -88,11 +92,17 @@ def restricted(
             variables, parametrization.omega, rho, form, parametrization.grounds
         )
     except InvalidSystemError:
+        if parametrization.degree > _MOST_POINTS:
+            raise UnableError(
+                "restricted", f"{parametrization.degree} points need another form"
+            ) from None
         algebra = _algebra(parametrization)
         chosen = dict(zip(algebra.variables, algebra.matrices, strict=True))
         matrices = tuple(chosen[name] for name in variables)
         smaller = FiniteAlgebra(variables, matrices, algebra.one)
-        return parametrization_of(smaller, parametrization.grounds, seed)
+        forms = linear_forms(len(variables), seed)
+        found = (parametrize(smaller, f, parametrization.grounds) for f in forms)
+        return next(each for each in found if each is not None)
 
 
 def _forms(

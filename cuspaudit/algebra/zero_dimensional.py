@@ -12,6 +12,7 @@ Two routes, the cheaper first; each result names the ground of its completeness.
 
 from __future__ import annotations
 
+from contextlib import suppress
 from dataclasses import dataclass, replace
 
 from cuspaudit.algebra.finite_algebra import (
@@ -110,9 +111,10 @@ def _exact(
         return None
     bound = len(staircase(basis))
     if bound > _SMALL:
-        found = _points(posed, timeout, seed)
-        if found.degree == bound:
-            return replace(found, grounds=(BASIS,))
+        with suppress(UnableError):
+            found = _points(posed, timeout, seed)
+            if found.degree == bound:
+                return replace(found, grounds=(BASIS,))
     return parametrization_of(_kept(quotient_algebra(basis), posed), (BASIS,), seed)
 
 
