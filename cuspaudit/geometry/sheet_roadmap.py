@@ -27,12 +27,15 @@ be missing this is excluded exactly (``geometry.wall_points``). QED
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
+from itertools import pairwise
 from time import monotonic
 
 import networkx as nx
+import numpy as np
 from flint import arb, ctx, fmpq
+from numpy.typing import NDArray
 
 from cuspaudit.algebra.parametrization import RealPoint
 from cuspaudit.algebra.rationals import exact_rational
@@ -40,9 +43,15 @@ from cuspaudit.algebra.ring import Ring
 from cuspaudit.algebra.system import PolynomialMap, PolynomialSystem
 from cuspaudit.algebra.univariate import PRECISIONS
 from cuspaudit.errors import PrecisionError, UnableError
-from cuspaudit.geometry.continuation import follow, square_chart
+from cuspaudit.geometry.cell_way import way_inside
+from cuspaudit.geometry.continuation import (
+    Continuation,
+    continue_point,
+    follow,
+    square_chart,
+)
 from cuspaudit.geometry.generic_fiber import GenericFiber, generic_fiber
-from cuspaudit.geometry.lifting import Box
+from cuspaudit.geometry.lifting import Box, Chart
 from cuspaudit.geometry.open_cells import Cell, Contact, OpenCells, Point, open_cells
 from cuspaudit.geometry.sheet_crossing import cross, only_met
 from cuspaudit.geometry.wall_points import WallPoints
@@ -51,6 +60,11 @@ __all__ = ["Sheet", "SheetRoadmap", "sheet_roadmap"]
 
 #: a vertex: a cell of {g != 0} and the number of a sheet over it, by increasing lambda
 Sheet = tuple[Cell, int]
+
+_BITS = 106
+#: segments of the way through one cell, more when the proof stops
+_STEPS = (8, 32, 128)
+
 QueryPoint = RealPoint | Sequence[fmpq | int]
 
 
@@ -63,12 +77,14 @@ class SheetRoadmap:
         cells: the cells of {g != 0} with their contacts.
         graph: vertices (cell, sheet); an edge has the contact it crosses.
         grounds: what completeness rests on beside proofs by exact arithmetic.
+        placed: the query points so far.
     """
 
     fiber: GenericFiber
     cells: OpenCells
     graph: nx.Graph[Sheet]
     grounds: set[str]
+    placed: dict[QueryPoint, tuple[Sheet, Point]] = field(default_factory=dict)
 
     @cached_property
     def components(self) -> dict[Sheet, int]:
@@ -108,43 +124,103 @@ class SheetRoadmap:
         Raises:
             PrecisionError: a point could not be continued; perhaps Delta = 0 there.
         """
-        return [self._vertex(point) for point in points]
+        return [self._placed(point)[0] for point in points]
 
     def component(self, point: QueryPoint) -> int:
         """The number of the component that a point of V - {Delta = 0} lies in."""
-        return self.components[self._vertex(point)]
+        return self.components[self._placed(point)[0]]
 
     def connected(self, first: QueryPoint, second: QueryPoint) -> bool:
         """Whether two points lie in one component of V - {Delta = 0}."""
         return self.component(first) == self.component(second)
 
-    def _vertex(self, point: QueryPoint) -> Sheet:
-        variety, mapping = self.fiber.variety, self.fiber.mapping
+    def path(self, first: QueryPoint, second: QueryPoint) -> NDArray[np.float64]:
+        """Way points (m, n) on V between two points of one component, in doubles.
+
+        A proposal; `continuation` proves a path between the two points.
+        """
+        ring, steps = self.fiber.variety.ring, _STEPS[0]
+        inner = [
+            self.fiber.sheets(value)[sheet]
+            for value, sheet in self._way(first, second, steps)
+        ]
+        points = (_box(ring, first, _BITS), *inner, _box(ring, second, _BITS))
+        return np.array([[float(x.mid()) for x in point] for point in points])
+
+    def continuation(self, first: QueryPoint, second: QueryPoint) -> Continuation:
+        """A proved path on V - {Delta = 0} from near ``first`` to near ``second``.
+
+        It begins and ends at the points over the rational values that the two points
+        were continued to.
+
+        Raises:
+            UnableError: the way in R^d could not be lifted, however fine.
+        """
+        (_, value), (end, last) = self._placed(first), self._placed(second)
+        for steps in _STEPS:
+            way = self._way(first, second, steps)
+            start = self.fiber.sheets(value)[way[0][1]]
+            path = [y for y, _ in way]
+            found = continue_point(self.fiber.variety, self.fiber.mapping, start, path)
+            goal = self.fiber.sheets(last)
+            if found is not None and only_met(found.end, goal) == end[1]:
+                return found
+        raise UnableError("roadmap", "a path could not be proved")
+
+    def _way(
+        self, first: QueryPoint, second: QueryPoint, steps: int
+    ) -> list[tuple[Point, int]]:
+        """Rational values of R with sheets over them, between connected points."""
+        (start, value), (end, last) = self._placed(first), self._placed(second)
+        way: list[tuple[Point, int]] = []
+        vertices = nx.shortest_path(self.graph, start, end)
+        for here, there in pairwise(vertices):
+            contact: Contact = self.graph.edges[here, there]["contact"]
+            ends = contact.ends if contact.cells[0] == here[0] else contact.ends[::-1]
+            inside = way_inside(self.cells, value, ends[0], steps)
+            way += [(y, here[1]) for y in inside]
+            value = ends[1]
+        inside = way_inside(self.cells, value, last, steps)
+        return way + [(y, end[1]) for y in inside]
+
+    def _placed(self, point: QueryPoint) -> tuple[Sheet, Point]:
+        """A vertex, and a value in its cell, that the point can be continued to."""
+        key = point if isinstance(point, RealPoint) else tuple(point)
+        if key not in self.placed:
+            self.placed[key] = self._place(point)
+        return self.placed[key]
+
+    def _place(self, point: QueryPoint) -> tuple[Sheet, Point]:
         for bits in PRECISIONS[1:]:
             with ctx.workprec(bits):
-                box = _box(variety.ring, point, bits)
-                chart = square_chart(variety, mapping, box)
+                box = _box(self.fiber.variety.ring, point, bits)
+                chart = square_chart(self.fiber.variety, self.fiber.mapping, box)
                 if chart is None:
                     continue
-                y0 = tuple(chart.coordinates.values(box))
-                for value in _near(y0, bits // 4):
-                    try:
-                        cell = self.cells.cell(value)
-                    except PrecisionError:
-                        continue
-                    way = follow(chart, box, y0, tuple(map(arb, value)))
-                    if way is None:
-                        continue
-                    found = only_met(way.end, self.fiber.sheets(value))
+                for value in _near(chart.coordinates.values(box), bits // 4):
+                    found = self._continued(chart, box, value)
                     if found is not None:
-                        return cell, found
+                        return found, value
         raise PrecisionError("the place of a point on the roadmap", PRECISIONS[-1])
+
+    def _continued(self, chart: Chart, box: Box, value: Point) -> Sheet | None:
+        """The vertex that the point in ``box`` is continued to over ``value``."""
+        try:
+            cell = self.cells.cell(value)
+        except PrecisionError:
+            return None
+        start = tuple(chart.coordinates.values(box))
+        way = follow(chart, box, start, tuple(map(arb, value)))
+        met = None if way is None else only_met(way.end, self.fiber.sheets(value))
+        return None if met is None else (cell, met)
 
 
 def sheet_roadmap(
     variety: PolynomialSystem,
     mapping: PolynomialMap,
     *,
+    fiber: GenericFiber | None = None,
+    cells: OpenCells | None = None,
     timeout: float = 60.0,
     seed: int = 1,
     progress: Callable[[str], None] = lambda step: None,
@@ -157,6 +233,8 @@ def sheet_roadmap(
         variety: V = {f = 0} over Q, of dimension d; assumption (A) of the paper is
             assumed (``geometry.assumption_a`` checks it).
         mapping: R: V -> R^d.
+        fiber: the generic fiber of R, if it is known already.
+        cells: its open cells, if they are known already.
         timeout: in s; looked at between steps.
         seed: of msolve's random choices.
         progress: called with the name of each step before it runs.
@@ -166,12 +244,14 @@ def sheet_roadmap(
         UnableError: too large, too long, or a wall that could not be decided.
     """
     clock = _Clock("roadmap", monotonic() + timeout)
-    progress("generic_fiber")
-    fiber = generic_fiber(variety, mapping, timeout, seed)
+    if fiber is None:
+        progress("generic_fiber")
+        fiber = generic_fiber(variety, mapping, timeout, seed)
     clock.check()
-    progress("open_cells")
-    boundary = [fiber.leading, fiber.discriminant]
-    cells = open_cells(fiber.ring, boundary, fiber.values)
+    if cells is None:
+        progress("open_cells")
+        boundary = [fiber.leading, fiber.discriminant]
+        cells = open_cells(fiber.ring, boundary, fiber.values)
     progress("sample_points")
     graph: nx.Graph[Sheet] = nx.Graph()
     points = WallPoints(fiber, timeout, seed)
