@@ -1,15 +1,25 @@
 """Exact arithmetic over Q: rings, systems, elimination, real roots."""
 
+from cuspaudit.algebra.parametrization import (
+    RealPoint,
+    ZeroDimensionalParametrization,
+)
 from cuspaudit.algebra.ring import Polynomial, Ring
 from cuspaudit.algebra.system import PolynomialMap, PolynomialSystem
+from cuspaudit.algebra.union import union
 from cuspaudit.algebra.univariate import RealRoot, Univariate, real_roots
+from cuspaudit.algebra.zero_dimensional import solve_zero_dimensional
 
 __all__ = [
     "Polynomial",
     "PolynomialMap",
     "PolynomialSystem",
+    "RealPoint",
     "RealRoot",
     "Ring",
     "Univariate",
+    "ZeroDimensionalParametrization",
     "real_roots",
+    "solve_zero_dimensional",
+    "union",
 ]

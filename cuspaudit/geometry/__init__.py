@@ -1,5 +1,6 @@
 """The routines of the paper, one file each; nothing here knows a robot."""
 
+from cuspaudit.geometry.assumption_a import check_assumption_a
 from cuspaudit.geometry.atypical_values import atypical_values
 from cuspaudit.geometry.crit import crit
 from cuspaudit.geometry.cusps import cusps
@@ -12,6 +13,7 @@ from cuspaudit.geometry.sample_points_rational import sample_points_rational
 
 __all__ = [
     "atypical_values",
+    "check_assumption_a",
     "crit",
     "cusps",
     "graph_connected",

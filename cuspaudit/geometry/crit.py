@@ -26,11 +26,13 @@ def crit(variety: PolynomialSystem, mapping: PolynomialMap) -> tuple[Polynomial,
 
     Args:
         variety: V = {f = 0}, s equations in n variables over K. Assumption (A) of the
-            paper (radical, equidimensional of dimension d) is not checked here.
+            paper (radical, equidimensional of dimension d) is not checked here but by
+            ``geometry.assumption_a``.
         mapping: R = (r_1, ..., r_d), same ring, s + d >= n.
 
     Returns:
-        The nonzero minors, in the lexicographic order of their rows.
+        The nonzero minors, each once, in the lexicographic order of their rows; none
+        when every point of V is critical or singular.
 
     Raises:
         NotSquareError: s + d < n.
@@ -49,5 +51,9 @@ def crit(variety: PolynomialSystem, mapping: PolynomialMap) -> tuple[Polynomial,
     size = len(ring.variables)
     if len(rows) < size:
         raise NotSquareError(rows=len(rows), variables=size)
-    minors = (determinant(ring, chosen) for chosen in combinations(rows, size))
-    return tuple(minor for minor in minors if minor != 0)
+    found: list[Polynomial] = []
+    for chosen in combinations(rows, size):
+        minor = determinant(ring, chosen)
+        if minor != 0 and minor not in found:
+            found.append(minor)
+    return tuple(found)

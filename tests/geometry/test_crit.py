@@ -1,5 +1,7 @@
 from __future__ import annotations
 
+from math import prod
+
 import pytest
 from surfaces import arm_map, cylinder, plane
 
@@ -51,3 +53,51 @@ def test_a_change_of_value_coordinates_multiplies_delta() -> None:
     (first,) = crit(*cylinder(lambda c, s, q: (c * q, s + q)))
     (second,) = crit(*cylinder(lambda c, s, q: (2 * c * q + s + q, 3 * (s + q) - 1)))
     assert second == 6 * first
+
+
+@pytest.mark.parametrize("d", [1, 2, 3, 4])
+def test_the_power_map_is_critical_on_the_coordinate_planes(d: int) -> None:
+    """(x_1^2, ..., x_d^2) on R^d has Delta = 2^d x_1 ... x_d."""
+    ring = Ring([f"x{i}" for i in range(d)])
+    squares = PolynomialMap(ring, tuple(x * x for x in ring.gens))
+    (delta,) = crit(PolynomialSystem(ring), squares)
+    assert delta == prod(ring.gens) * 2**d
+
+
+@pytest.mark.parametrize("d", [1, 2, 3])
+def test_height_directions_of_the_sphere(d: int) -> None:
+    """The projection of the unit sphere of R^(d+1) to R^d is critical where x_0 = 0."""
+    ring = Ring([f"x{i}" for i in range(d + 1)])
+    sphere = PolynomialSystem(ring, (ring.total(x * x for x in ring.gens) - 1,))
+    (delta,) = crit(sphere, PolynomialMap(ring, ring.gens[1:]))
+    assert delta == 2 * ring.gens[0]
+
+
+def test_singular_points_are_critical_for_every_map() -> None:
+    """All the minors vanish at the vertex of the cone over the twisted cubic.
+
+    Three equations in C^4 for a surface: ten minors of size 4 of five rows and more.
+    """
+    ring = Ring(["a", "b", "c", "d"])
+    a, b, c, d = ring.gens
+    cone = PolynomialSystem(ring, (a * c - b**2, a * d - b * c, b * d - c**2))
+    minors = crit(cone, PolynomialMap(ring, (a + 2 * d, b - c + 3 * a)))
+    vertex = dict.fromkeys(ring.variables, 0)
+    smooth = dict.fromkeys(ring.variables, 1)
+    assert minors and all(ring.substitute(p, vertex) == 0 for p in minors)
+    assert any(ring.substitute(p, smooth) != 0 for p in minors)
+
+
+def test_an_equation_given_twice_gives_no_minor_twice() -> None:
+    """The circle written twice has the one minor of the circle."""
+    ring = Ring(["c", "s"])
+    c, s = ring.gens
+    circle = c**2 + s**2 - 1
+    once = crit(PolynomialSystem(ring, (circle,)), PolynomialMap(ring, (c,)))
+    twice = crit(PolynomialSystem(ring, (circle, circle)), PolynomialMap(ring, (c,)))
+    assert once == twice == (-2 * s,)
+
+
+def test_a_constant_component_leaves_no_minor() -> None:
+    """Where every point is critical there is nothing to cut V with."""
+    assert crit(*plane(lambda x, y: (x, 0 * x))) == ()
