@@ -164,7 +164,7 @@ def sharpen(chart: Chart, over: Lift, values: Sequence[arb]) -> Box | None:
     point = lift(chart, over.image, values)
     if point is None:
         return None
-    same = contains(over.box, point.box) or contains(point.box, over.image)
+    same = contains(over.box, point.image) or contains(point.box, over.image)
     return point.image if same else None
 
 
