@@ -16,8 +16,17 @@ from cuspaudit.algebra.ring import rational
 from cuspaudit.kinematics.axes import scaled_axis
 from cuspaudit.kinematics.chain import Angle, Chain, Motion, Translation, Vector
 
-__all__ = ["BITS", "Ball", "Line", "axis_lines", "common_normal", "cross", "dot"]
-__all__ += ["minus", "vanishes"]
+__all__ = [
+    "BITS",
+    "Ball",
+    "Line",
+    "axis_lines",
+    "common_normal",
+    "cross",
+    "dot",
+    "minus",
+    "vanishes",
+]
 
 BITS = 1024
 
