@@ -37,71 +37,30 @@ from itertools import pairwise
 
 import networkx as nx
 import numpy as np
-from flint import arb, ctx, fmpq
+from flint import arb
 from numpy.typing import NDArray
 
 from cuspaudit.algebra.parametrization import RealPoint
 from cuspaudit.algebra.ring import Polynomial, Ring
 from cuspaudit.algebra.system import PolynomialMap, PolynomialSystem
-from cuspaudit.algebra.zero_dimensional import solve_zero_dimensional
 from cuspaudit.errors import (
     NotOnVarietyError,
     NotZeroDimensionalError,
     PrecisionError,
     UnableError,
 )
-from cuspaudit.geometry.height import critical_system, heights
+from cuspaudit.geometry.critical_points import Point, box_of, critical_points
+from cuspaudit.geometry.height import heights
 from cuspaudit.geometry.landscape import Landscape
 from cuspaudit.geometry.lifting import Box
-from cuspaudit.geometry.morse import (
-    Basin,
-    CriticalPoint,
-    basin,
-    critical_point,
-    exits,
-)
+from cuspaudit.geometry.morse import Basin, CriticalPoint
 from cuspaudit.geometry.proved_ascent import Ascent, prove_ascent
+from cuspaudit.geometry.ways import Way, basin_of, graph_of_ways
 
-__all__ = ["Point", "Routing", "Way", "morse_graph", "routing"]
+__all__ = ["Point", "Routing", "morse_graph", "routing"]
 
 Array = NDArray[np.float64]
-Point = RealPoint | Sequence[fmpq | int]
-
-_BITS = (106, 212, 424, 848)
-
-
-@dataclass(frozen=True, eq=False)
-class Way:
-    """A proved way from one maximum over a saddle to another.
-
-    Attributes:
-        ascents: from the saddle to either maximum.
-        level: of G at the saddle.
-    """
-
-    ascents: tuple[Ascent, Ascent]
-    level: float
-
-    @property
-    def begins(self) -> int:
-        """The maximum where it begins."""
-        return self.ascents[0].top
-
-    @property
-    def places(self) -> Array:
-        """(m, n) way points."""
-        down, up = self.ascents
-        return np.concatenate([down.places[::-1], up.places])
-
-    @property
-    def boxes(self) -> list[Box]:
-        """Boxes that cover it between the basins of the two maxima."""
-        down, up = self.ascents
-        return [step.image for step in (*reversed(down.steps), *up.steps)]
-
-    def beginning_at(self, top: int) -> Way:
-        """The same way, turned round if need be."""
-        return self if self.begins == top else Way(self.ascents[::-1], self.level)
+_QUERY_BITS = 212
 
 
 @dataclass(frozen=True, eq=False)
@@ -191,7 +150,7 @@ class Routing:
         key = point if isinstance(point, RealPoint) else tuple(point)
         if key not in self.ascents:
             _check_query(self.landscape, point)
-            ball = _ball(self.landscape.variety.ring, point, _BITS[1])
+            ball = box_of(self.landscape.variety.ring, point, _QUERY_BITS)
             self.ascents[key] = _query_ascent(
                 self.landscape, ball, self.basins, self.seed
             )
@@ -262,42 +221,30 @@ def morse_graph(
         landscape = Landscape(variety, dimension, height)
         progress("routing: critical points")
         try:
-            critical, grounds = _critical_points(landscape, _left(end), seed)
+            critical, grounds = critical_points(landscape, _left(end), seed)
         except NotZeroDimensionalError as error:
             why = str(error)
             continue
         if critical is not None:
             progress("routing: ascents")
-            return _joined(landscape, critical, grounds, seed, end)
+            return _routing(landscape, critical, grounds, seed, end)
         why = "a critical point is degenerate"
     raise UnableError("routing", f"with every weight tried: {why}")
 
 
-def _critical_points(
-    landscape: Landscape, timeout: float, seed: int
-) -> tuple[list[CriticalPoint] | None, tuple[str, ...]]:
-    """All critical points, or None if one is not proved to be nondegenerate.
-
-    Over Q(sqrt m), sqrt m is one more unknown; the points with -sqrt m are dropped.
-    """
-    ring, height = landscape.variety.ring, landscape.height
-    system = critical_system(landscape.variety, landscape.dimension, height)
-    if ring.radicand is not None:
-        minimal = ring.surd * ring.surd - ring.radicand
-        names = tuple(ring.context.names())
-        system = PolynomialSystem(Ring(names), (*system.equations, minimal))
-    found = solve_zero_dimensional(
-        system, nonzero=height.base, timeout=timeout, seed=seed
+def _routing(
+    landscape: Landscape,
+    critical: Sequence[CriticalPoint],
+    grounds: tuple[str, ...],
+    seed: int,
+    end: float,
+) -> Routing:
+    tops, saddles = (
+        tuple(point for point in critical if point.rising == count) for count in (0, 1)
     )
-    points = []
-    for point in found.real_points():
-        if ring.radicand is not None and not point.ball(64)[names[-1]] > 0:
-            continue
-        classified = _classified(landscape, point)
-        if classified is None:
-            return None, found.grounds
-        points.append(classified)
-    return points, found.grounds
+    basins = tuple(basin_of(landscape, top) for top in tops)
+    graph = graph_of_ways(landscape, basins, saddles, seed, lambda: _left(end))
+    return Routing(landscape, tops, saddles, graph, basins, grounds, seed)
 
 
 def _left(end: float) -> float:
@@ -312,82 +259,12 @@ def _left(end: float) -> float:
     return left
 
 
-def _classified(landscape: Landscape, point: RealPoint) -> CriticalPoint | None:
-    for bits in _BITS:
-        with ctx.workprec(bits):
-            ball = _ball(landscape.variety.ring, point, bits)
-            found = critical_point(landscape, ball)
-        if found is not None:
-            return found
-    return None
-
-
-def _joined(
-    landscape: Landscape,
-    critical: Sequence[CriticalPoint],
-    grounds: tuple[str, ...],
-    seed: int,
-    end: float,
-) -> Routing:
-    """The graph of all maxima and saddles, from the highest saddle down.
-
-    Without effect, hence skipped: a saddle on the side of Delta > 0 (or < 0) once all
-    maxima of that side are connected.
-    """
-    maxima = [point for point in critical if point.rising == 0]
-    saddles = [point for point in critical if point.rising == 1]
-    basins = [_basin(landscape, top) for top in maxima]
-    graph: nx.Graph[int] = nx.Graph()
-    graph.add_nodes_from(range(len(maxima)))
-    for saddle in sorted(saddles, key=lambda s: s.level.mid(), reverse=True):
-        side = [i for i, top in enumerate(maxima) if top.sign == saddle.sign]
-        if not side or nx.is_connected(graph.subgraph(side)):
-            continue
-        _left(end)
-        ahead, back = _two_ascents(landscape, saddle, basins, seed)
-        if ahead.top != back.top and not graph.has_edge(ahead.top, back.top):
-            level = float(saddle.level.mid())
-            way = Way((ahead, back), level)
-            graph.add_edge(ahead.top, back.top, level=level, way=way)
-    return Routing(
-        landscape, tuple(maxima), tuple(saddles), graph, tuple(basins), grounds, seed
-    )
-
-
-def _basin(landscape: Landscape, top: CriticalPoint) -> Basin:
-    with ctx.workprec(_BITS[0]):
-        found = basin(landscape, top)
-    if found is None:
-        raise UnableError("routing", "no neighbourhood of a maximum was proved")
-    return found
-
-
-def _two_ascents(
-    landscape: Landscape, saddle: CriticalPoint, basins: Sequence[Basin], seed: int
-) -> tuple[Ascent, Ascent]:
-    with ctx.workprec(_BITS[0]):
-        pair = exits(landscape, saddle)
-    if pair is None:
-        raise UnableError("routing", "no exit of a saddle was proved")
-    ways = [
-        prove_ascent(landscape, exit_.end, saddle.level, basins, seed) for exit_ in pair
-    ]
-    if ways[0] is None or ways[1] is None:
-        raise UnableError("routing", "no ascent from a saddle was proved")
-    ahead, back = (
-        way.after(exit_.lift, saddle.place)
-        for way, exit_ in zip(ways, pair, strict=True)
-        if way is not None
-    )
-    return ahead, back
-
-
 def _query_ascent(
     landscape: Landscape, ball: Box, basins: Sequence[Basin], seed: int
 ) -> Ascent:
     level = landscape.height.value(ball)
     if level is None:
-        raise PrecisionError("the sign of Delta at a query point", _BITS[1])
+        raise PrecisionError("the sign of Delta at a query point", _QUERY_BITS)
     found = prove_ascent(landscape, ball, level - arb(2) ** -20, basins, seed)
     if found is None:
         raise UnableError("routing", "no ascent from a query point was proved")
@@ -409,10 +286,3 @@ def _check_query(landscape: Landscape, point: Point) -> None:
         raise NotOnVarietyError(str(point), "it is not on V")
     if vanishes(base):
         raise NotOnVarietyError(str(point), "Delta = 0 there")
-
-
-def _ball(ring: Ring, point: Point, bits: int) -> Box:
-    if isinstance(point, RealPoint):
-        balls = point.ball(bits)
-        return tuple(balls[name] for name in ring.variables)
-    return tuple(arb(x) for x in point)
