@@ -9,25 +9,22 @@ the page's own policy lets a browser run no script but ours and fetch nothing at
 from __future__ import annotations
 
 import base64
-import hashlib
 import json
 import math
 import re
 from collections.abc import Mapping
-from importlib.resources import files
 from typing import Any
 
-from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup
 
 from cuspaudit.viz.meshcat_commands import viewer_license, viewer_script
+from cuspaudit.viz.offline import asset, environment, policy
 from cuspaudit.viz.scene import Scene
 from cuspaudit.viz.strip import build_strip
 from cuspaudit.viz.words import (
     counts,
     model_rows,
     no_path_reason,
-    number,
     part,
     posture_rows,
     proof_rows,
@@ -54,35 +51,31 @@ def render_page(
     Returns:
         HTML that opens from ``file://`` and asks for no other file.
     """
-    environment = Environment(
-        loader=PackageLoader("cuspaudit.viz"),
-        autoescape=True,
-        undefined=StrictUndefined,
-        trim_blocks=True,
-        lstrip_blocks=True,
-    )
-    environment.filters["number"] = number
-    scripts = [viewer_script(), _asset("page.js")] if scene else []
-    return environment.get_template("page.html").render(
-        words=verdict_words(audit),
-        audit=_Tree(audit),
-        scene=scene,
-        strip=build_strip(scene.chain, scene.shown) if scene else None,
-        counts=counts(audit),
-        models=model_rows(audit),
-        proof=proof_rows(audit),
-        postures=posture_rows(audit, scene),
-        no_path=no_path_reason(audit),
-        certificate=_certificate(audit, certificate),
-        audit_link=_data_link(json.dumps(audit, indent=1, default=str)),
-        drawing=_finite(scene.drawing) if scene else None,
-        commands=[base64.b64encode(c).decode() for c in scene.commands]
-        if scene
-        else [],
-        style=Markup(_asset("page.css")),
-        scripts=[Markup(script) for script in scripts],
-        notices=Markup(viewer_license().replace("--", "- -")) if scene else "",
-        policy=_policy(scripts),
+    scripts = [viewer_script(), asset("page.js")] if scene else []
+    return (
+        environment()
+        .get_template("page.html")
+        .render(
+            words=verdict_words(audit),
+            audit=_Tree(audit),
+            scene=scene,
+            strip=build_strip(scene.chain, scene.shown) if scene else None,
+            counts=counts(audit),
+            models=model_rows(audit),
+            proof=proof_rows(audit),
+            postures=posture_rows(audit, scene),
+            no_path=no_path_reason(audit),
+            certificate=_certificate(audit, certificate),
+            audit_link=_data_link(json.dumps(audit, indent=1, default=str)),
+            drawing=_finite(scene.drawing) if scene else None,
+            commands=[base64.b64encode(c).decode() for c in scene.commands]
+            if scene
+            else [],
+            style=Markup(asset("page.css")),
+            scripts=[Markup(script) for script in scripts],
+            notices=Markup(viewer_license().replace("--", "- -")) if scene else "",
+            policy=policy(scripts),
+        )
     )
 
 
@@ -114,15 +107,7 @@ def _certificate(audit: Mapping[str, Any], text: str | None) -> dict[str, str] |
 
 
 def _data_link(text: str) -> str:
-    return "data:application/json;base64," + _base64(text.encode())
-
-
-def _base64(blob: bytes) -> str:
-    return base64.b64encode(blob).decode("ascii")
-
-
-def _asset(name: str) -> str:
-    return (files("cuspaudit.viz") / "templates" / name).read_text("utf-8")
+    return "data:application/json;base64," + base64.b64encode(text.encode()).decode()
 
 
 def _finite(value: Any) -> Any:
@@ -134,13 +119,3 @@ def _finite(value: Any) -> Any:
     if isinstance(value, float) and not math.isfinite(value):
         return None
     return value
-
-
-def _policy(scripts: list[str]) -> str:
-    """A content security policy: these scripts, inline style, embedded images."""
-    hashes = [_base64(hashlib.sha256(script.encode()).digest()) for script in scripts]
-    allowed = " ".join(f"'sha256-{digest}'" for digest in hashes) or "'none'"
-    return (
-        f"default-src 'none'; script-src {allowed}; style-src 'unsafe-inline'; "
-        "img-src data: blob:; base-uri 'none'; form-action 'none'"
-    )

@@ -1,20 +1,26 @@
 """Both planes of an arm on one sheet, as PNG, SVG or one HTML page that opens offline.
 
-SVG and HTML name every mark when it is pointed at: the marks carry ``title`` elements.
+SVG and HTML name every mark when it is pointed at: the marks carry ``title`` elements,
+and their ids begin with the name of their layer.
 """
 
 from __future__ import annotations
 
 import io
-import re
+import string
 from collections.abc import Sequence
 from html import escape
 from pathlib import Path
 from typing import Any, Protocol
 
+from markupsafe import Markup
+
 from cuspaudit.errors import InvalidInputError
+from cuspaudit.viz.offline import asset, environment, policy
 from cuspaudit.viz.plots import (
+    LAYERS,
     JointPlaneData,
+    Layer,
     ValuePlaneData,
     plot_joint_plane,
     plot_value_plane,
@@ -25,26 +31,8 @@ __all__ = ["ENDINGS", "FiguresData", "figure", "page_text", "save_plot", "svg_te
 ENDINGS = (".png", ".svg", ".html")
 _DPI = 150
 _SIZE = (13.0, 8.2)
+_DIGITS = string.digits + string.ascii_lowercase
 _LEGEND = 0.17  # the part of the height below both planes
-
-_PAGE = """<!doctype html>
-<html lang="en">
-<meta charset="utf-8">
-<meta name="viewport" content="width=device-width, initial-scale=1">
-<meta http-equiv="Content-Security-Policy"
- content="default-src 'none'; style-src 'unsafe-inline'; img-src data:">
-<title>{title}</title>
-<style>
-body {{ margin: 1rem auto; max-width: 80rem; padding: 0 1rem; color: #111;
-  background: #fff; font: 1rem/1.5 system-ui, sans-serif }}
-svg {{ width: 100%; height: auto }}
-</style>
-<h1>{title}</h1>
-{svg}
-<p>Point at a mark or a region to read what it is.</p>
-{notes}
-</html>
-"""
 
 
 class FiguresData(Protocol):
@@ -111,19 +99,43 @@ def svg_text(data: FiguresData, *, titled: bool = True) -> str:
     drawing, notes = _figure(data, titled)
     text = _rendered(drawing, "svg").decode()
     for name, note in notes.items():
-        opened = f'<g id="{name}">'
-        text = text.replace(opened, f"{opened}<title>{escape(note)}</title>", 1)
+        opened, title = f'<g id="{name}">', f"<title>{escape(note)}</title>"
+        text = text.replace(opened, opened + title if note else opened, 1)
     return text
 
 
 def page_text(data: FiguresData) -> str:
-    """Both planes as one HTML page that asks for no other file and runs no script."""
+    """Both planes as one HTML page that asks for no other file.
+
+    Pointing at a mark, a region or a cell says what it is; every layer can be hidden.
+    """
     svg = svg_text(data, titled=False)
     svg = svg[svg.index("<svg") :]
-    label = f'<svg role="img" aria-label="{escape(data.title, quote=True)}"'
-    svg = re.sub(r"^<svg", lambda _: label, svg, count=1)
-    notes = "".join(f"<p>{escape(note)}</p>\n" for note in data.notes)
-    return _PAGE.format(title=escape(data.title), svg=svg, notes=notes)
+    script = asset("plot.js")
+    return (
+        environment()
+        .get_template("plot.html")
+        .render(
+            data=data,
+            svg=Markup(svg),
+            layers={
+                name: text for name, text in LAYERS.items() if f'id="{name}-' in svg
+            },
+            sheet=_sheet(data.value),
+            style=Markup(asset("plot.css")),
+            script=Markup(script),
+            policy=policy([script]),
+        )
+    )
+
+
+def _sheet(value: ValuePlaneData) -> dict[str, Any]:
+    """The cells for the page's script: a digit a cell, rows from the top."""
+    rows = [row.tolist() for row in value.grid[::-1]]
+    return {
+        "window": [float(x) for x in value.window],
+        "cells": ["".join(_DIGITS[count] for count in row) for row in rows],
+    }
 
 
 def _figure(data: FiguresData, titled: bool = True) -> tuple[Any, dict[str, str]]:
@@ -132,8 +144,8 @@ def _figure(data: FiguresData, titled: bool = True) -> tuple[Any, dict[str, str]
 
     notes: dict[str, str] = {}
 
-    def note(mark: Any, text: str) -> None:
-        name = f"mark-{len(notes)}"
+    def note(mark: Any, layer: Layer, text: str) -> None:
+        name = f"{layer}-{len(notes)}"
         mark.set_gid(name)
         notes[name] = text
 

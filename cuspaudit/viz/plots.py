@@ -9,14 +9,16 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from typing import Any, Protocol
+from typing import Any, Literal, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
 __all__ = [
+    "LAYERS",
     "AspectData",
     "JointPlaneData",
+    "Layer",
     "ValuePlaneData",
     "plot_joint_plane",
     "plot_value_plane",
@@ -26,7 +28,7 @@ Array = NDArray[np.float64]
 Window = tuple[float, float, float, float]
 
 RED, BLACK, BLUE = "#c4161c", "#111111", "#1f4fd8"
-CELLS = ("#ffffff", "#fdf0d0", "#f6d58e", "#e8b04a", "#cf8a1f")  # 0, 2, 4, 6, 8
+CELLS = ("#ffffff", "#fbe8bd", "#f4cf80", "#e8b04a", "#cf8a1f")  # 0, 2, 4, 6, 8
 GREENS = ("#c9ecdd", "#9fdcc2", "#dff3c4", "#7fcbaa")
 BLUES = ("#cfe0f7", "#a9c8ef", "#dcd8f5", "#86aee2")
 DARK = {1: "#00684a", -1: "#1c4f93"}
@@ -136,7 +138,20 @@ class JointPlaneData(Protocol):
         """(m, 2) copies of one path between two postures."""
 
 
-Note = Callable[[Any, str], None]
+Layer = Literal[
+    "cells", "curve", "special", "samples", "aspects", "roadmap", "path", "postures"
+]
+LAYERS: dict[Layer, str] = {
+    "cells": "cells by number of postures",
+    "curve": "critical curves",
+    "special": "cusps and nodes",
+    "samples": "sample points",
+    "aspects": "aspects",
+    "roadmap": "roadmap",
+    "path": "nonsingular path",
+    "postures": "postures of one value",
+}
+Note = Callable[[Any, Layer, str], None]
 
 
 def plot_value_plane(axes: Any, data: ValuePlaneData, note: Note | None = None) -> None:
@@ -145,20 +160,23 @@ def plot_value_plane(axes: Any, data: ValuePlaneData, note: Note | None = None) 
     Args:
         axes: where to draw.
         data: what to draw.
-        note: called with a mark and what it says when pointed at.
+        note: called with a mark, its layer, and what it says when pointed at.
     """
     note = note or _silent
     counts = sorted(set(data.grid.ravel().tolist()))
     colours = [CELLS[min(max(count, 0) // 2, len(CELLS) - 1)] for count in counts]
-    axes.imshow(
+    cells = axes.imshow(
         np.array([_rgb(c) for c in colours])[np.searchsorted(counts, data.grid)],
         extent=data.window,
         origin="lower",
         interpolation="nearest",
         zorder=0,
     )
+    note(cells, "cells", "")
     for line in data.curve:
-        axes.plot(*line.T, color=RED, lw=1.5, zorder=3, solid_capstyle="round")
+        (mark,) = axes.plot(*line.T, color=RED, lw=1.5, zorder=3)
+        mark.set_solid_capstyle("round")
+        note(mark, "curve", "")
     shown = [axes.plot([], [], color=RED, lw=1.5, label="critical values")[0]]
     marks = (
         (data.points, "o", RED, RED, 4, "a whole critical fiber"),
@@ -169,7 +187,7 @@ def plot_value_plane(axes: Any, data: ValuePlaneData, note: Note | None = None) 
         for i, point in enumerate(points):
             label = f"{name}s: {len(points)}" if name in ("cusp", "node") else name
             mark = _mark(axes, point, shape, face, edge, size)
-            note(mark, f"{name} at {_pair(point)}")
+            note(mark, "special", f"{name} at {_pair(point)}")
             if i == 0:
                 mark.set_label(label)
                 shown.append(mark)
@@ -177,13 +195,13 @@ def plot_value_plane(axes: Any, data: ValuePlaneData, note: Note | None = None) 
         zip(data.samples, data.sample_postures, strict=True)
     ):
         mark = _mark(axes, point, "D", BLUE, "white", 5, 0.5)
-        note(mark, f"sample point {_pair(point)}: {count} postures, proved")
+        note(mark, "samples", f"sample point {_pair(point)}: {count} postures, proved")
         if i == 0:
             mark.set_label("rational sample points")
             shown.append(mark)
     mark = _mark(axes, data.focus, "D", "none", BLACK, 11, 1.4)
     mark.set_label("value of the postures A, B, ...")
-    note(mark, f"{_pair(data.focus)}: its postures are A, B, ...")
+    note(mark, "postures", f"{_pair(data.focus)}: its postures are A, B, ...")
     shown.append(mark)
     for count, colour in zip(counts, colours, strict=True):
         name = "out of reach" if count == 0 else f"{count} postures"
@@ -205,10 +223,11 @@ def plot_joint_plane(axes: Any, data: JointPlaneData, note: Note | None = None) 
         name = f"aspect {aspect.number}, {_signed(aspect.sign)}"
         for polygon in aspect.regions:
             (patch,) = axes.fill(*polygon.T, color=tint, lw=0.4, zorder=1)
-            note(patch, name)
+            note(patch, "aspects", name)
         for line in aspect.roadmap:
-            axes.plot(*line.T, color=DARK[aspect.sign], lw=0.9, zorder=2)
-        axes.text(
+            (mark,) = axes.plot(*line.T, color=DARK[aspect.sign], lw=0.9, zorder=2)
+            note(mark, "roadmap", "")
+        number = axes.text(
             *aspect.label,
             f"{aspect.number}",
             color=DARK[aspect.sign],
@@ -219,15 +238,19 @@ def plot_joint_plane(axes: Any, data: JointPlaneData, note: Note | None = None) 
             zorder=6,
             path_effects=_halo(3),
         )
+        note(number, "aspects", name)
         shown.append(_patch(axes, tint, name))
     for line in data.curve:
-        axes.plot(*line.T, color=RED, lw=1.5, zorder=3)
+        (mark,) = axes.plot(*line.T, color=RED, lw=1.5, zorder=3)
+        note(mark, "curve", "")
     shown.append(axes.plot([], [], color=RED, lw=1.5, label="singular postures")[0])
     shown.append(axes.plot([], [], color=BLACK, lw=0.9, label="roadmap")[0])
     shown[-1].set_color(DARK[1])
     for path in data.paths:
-        axes.plot(*path.T, color="white", lw=4.2, zorder=4)
-        axes.plot(*path.T, color=BLACK, lw=2.0, zorder=4, dashes=(3, 1.5))
+        (edge,) = axes.plot(*path.T, color="white", lw=4.2, zorder=4)
+        (mark,) = axes.plot(*path.T, color=BLACK, lw=2.0, zorder=4, dashes=(3, 1.5))
+        note(edge, "path", "")
+        note(mark, "path", "nonsingular path between two postures of one value")
     if data.paths:
         label = "nonsingular path of a couple"
         (line,) = axes.plot([], [], color=BLACK, lw=2, dashes=(3, 1.5), label=label)
@@ -244,9 +267,10 @@ def _postures(axes: Any, data: JointPlaneData, note: Note, shown: list[Any]) -> 
     ):
         name = chr(ord("A") + i)
         mark = _mark(axes, point, "o", BLACK, "white", 8, 1.0)
-        note(mark, f"posture {name} {_pair(point)}, in aspect {aspect}")
+        says = f"posture {name} {_pair(point)}, in aspect {aspect}"
+        note(mark, "postures", says)
         right, up = point[0] < data.window[1] * 0.85, point[1] < data.window[3] * 0.9
-        axes.annotate(
+        letter = axes.annotate(
             name,
             point,
             (7 if right else -7, 6 if up else -6),
@@ -258,6 +282,7 @@ def _postures(axes: Any, data: JointPlaneData, note: Note, shown: list[Any]) -> 
             zorder=8,
             path_effects=_halo(2.5),
         )
+        note(letter, "postures", says)
         if i == 0:
             mark.set_label("postures of one value")
             shown.append(mark)
@@ -341,5 +366,5 @@ def _signed(sign: int) -> str:
     return "Delta > 0" if sign > 0 else "Delta < 0"
 
 
-def _silent(mark: Any, text: str) -> None:
+def _silent(mark: Any, layer: Layer, text: str) -> None:
     """Nobody points at a bitmap."""

@@ -1,6 +1,7 @@
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+import json
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -9,7 +10,7 @@ import pytest
 
 from cuspaudit.errors import InvalidInputError
 from cuspaudit.viz.plot_files import figure, page_text, save_plot, svg_text
-from cuspaudit.viz.plots import RED
+from cuspaudit.viz.plots import LAYERS, RED
 
 
 def circle(radius: float) -> np.ndarray:
@@ -78,7 +79,7 @@ def test_each_format_is_written(ending: str, tmp_path: Path) -> None:
     path = tmp_path / f"planes{ending}"
     save_plot(Both(), path)
     content = path.read_bytes()
-    begins = {".png": b"\x89PNG", ".svg": b"<?xml", ".html": b"<!doctype html>"}
+    begins = {".png": b"\x89PNG", ".svg": b"<?xml", ".html": b"<!DOCTYPE html>"}
     assert content.startswith(begins[ending])
     assert len(content) > 10_000
 
@@ -108,12 +109,29 @@ def test_the_svg_is_the_same_every_time() -> None:
 
 
 def test_the_page_stands_alone_and_a_name_is_only_a_name() -> None:
-    """No script, no link to elsewhere, and the arm's name is escaped."""
+    """One script of our own, no link to elsewhere, and the arm's name is escaped."""
     page = page_text(Both())
-    assert "<script" not in page
+    assert page.count("<script") == 2
+    assert "<script>alert" not in page
     assert "&lt;script&gt;" in page
     assert "Two &amp; three." in page
-    assert 'src="http' not in page and "<link" not in page
+    assert 'src="http' not in page and 'href="http' not in page
+
+
+def test_every_layer_that_is_drawn_can_be_hidden() -> None:
+    """Each mark belongs to a layer, and each layer of this arm has its box."""
+    page, svg = page_text(Both()), svg_text(Both())
+    for layer in LAYERS:
+        assert f'id="{layer}-' in svg
+        assert f'id="show-{layer}"' in page
+    empty = replace(Both(), joint=Joint(paths=()))
+    assert 'id="show-path"' not in page_text(empty)
+
+
+def test_the_page_knows_the_postures_of_every_cell() -> None:
+    """The numbers of the grid are on the page, from the top, a digit a cell."""
+    text = page_text(Both()).split('id="sheet">')[1].split("</script>")[0]
+    assert json.loads(text) == {"window": [0, 2, -2, 2], "cells": ["4g", "02"]}
 
 
 def test_axes_are_labelled_and_lengths_are_to_scale() -> None:
