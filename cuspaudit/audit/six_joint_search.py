@@ -10,13 +10,14 @@ What is proposed is proved, or refused, by its certificate; nothing is decided h
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
 
-from cuspaudit.audit.torus_path import Ridge, ascents, height_of, straight, tidy
+from cuspaudit.audit.torus_path import ascents, height_of, straight, tidy
+from cuspaudit.audit.torus_ridge import Ridge, critical_points
 from cuspaudit.errors import UnableError
 from cuspaudit.kinematics.chain import Chain
 from cuspaudit.kinematics.postures import PostureSolver, is_even
@@ -25,14 +26,16 @@ from cuspaudit.kinematics.torus_determinant import TorusDeterminant
 __all__ = ["Proposal", "Search", "SearchRecord", "search"]
 
 Array = NDArray[np.float64]
+Index = NDArray[np.int64]
 
 _BATCH = 32
 _ENOUGH = 64
 _MOST = 192
-_STARTS = 192
+_STARTS = 256
+_CLIMBS = 64
 _CLIMBED = 8
-_WIDE = 1e-3
 _KEPT = 12
+_ROUNDING = 1e-9
 
 
 @dataclass(frozen=True)
@@ -144,7 +147,7 @@ class _Looking:
     stopped: str | None = None
     counts: Counter[int] = field(default_factory=Counter)
     couples: list[_Couple] = field(default_factory=list)
-    joined: set[tuple[int, int]] = field(default_factory=set)
+    joined: set[tuple[tuple[float, ...], ...]] = field(default_factory=set)
 
     def __post_init__(self) -> None:
         self.rng = np.random.default_rng(self.seed)
@@ -153,55 +156,70 @@ class _Looking:
 
     @property
     def is_done(self) -> bool:
-        """Enough poses, and a path that samples did not jump to; or the most poses."""
-        wide = any(c.height > _WIDE * self.largest for c in self.couples)
-        return self.poses >= (min(_ENOUGH, self.most) if wide else self.most)
+        """Enough poses, and a path; or the most poses."""
+        return self.poses >= (min(_ENOUGH, self.most) if self.couples else self.most)
 
     def climb(self) -> None:
         """Find maxima of |det J| and the ways between them."""
         starts = self.rng.uniform(-np.pi, np.pi, (_STARTS, 4))
-        tops = ascents(self.h, starts)[-1]
-        values = self.h(tops)
-        self.largest = float(np.abs(values).max())
-        self.ridges = {}
-        for sign in (1.0, -1.0):
-            order = np.argsort(-sign * values)[: int((sign * values > 0).sum())]
-            self.ridges[sign] = Ridge(self.h, sign, tops[order])
+        critical = critical_points(self.h, starts)
+        critical = np.vstack([critical, ascents(self.h, starts[:_CLIMBS])[-1]])
+        self.largest = float(np.abs(self.h(critical)).max())
+        self.ridges = {s: Ridge(self.h, s, critical) for s in (1.0, -1.0)}
 
     def look(self) -> None:
         """Try one batch of poses."""
         given = self.rng.uniform(-np.pi, np.pi, (_BATCH, 6))
-        firsts, seconds, signs = [], [], []
-        for postures in self.solver.solve(self.solver.poses(given)):
-            determinants = self.solver.determinants(postures)
-            self.counts[len(postures)] += 1
-            self.uneven += not is_even(determinants)
-            for i, j in _pairs(determinants):
-                firsts.append(postures[i])
-                seconds.append(postures[j])
-                signs.append(np.sign(determinants[i]))
+        found = self.solver.solve(self.solver.poses(given))
         self.poses += _BATCH
-        self.pairs += len(signs)
-        if signs:
-            self._join(np.array(firsts), np.array(seconds), np.array(signs))
+        postures = np.vstack(found)
+        heights = self.solver.determinants(postures)
+        owner = np.repeat(np.arange(_BATCH), [len(f) for f in found])
+        for k, own in enumerate(found):
+            self.counts[len(own)] += 1
+            self.uneven += not is_even(heights[owner == k])
+        same = (owner[:, None] == owner) & (heights[:, None] * heights > 0)
+        first, second = np.nonzero(np.triu(same, 1))
+        self.pairs += len(first)
+        if len(first):
+            self._join_straight(postures, heights, first, second)
+            self._join_uphill(postures, heights, first, second)
 
-    def _join(self, first: Array, second: Array, sign: Array) -> None:
-        """Keep the couples that a path joins; the highest are tried by the ridge."""
-        start, end = first[:, 1:5], second[:, 1:5]
-        target, low = straight(self.h, sign, start, end)
-        ways = [(k, np.array([start[k], target[k]])) for k in np.nonzero(low > 0)[0]]
-        high = np.minimum(sign * self.h(start), sign * self.h(end))
-        for s, ridge in self.ridges.items():
-            chosen = [k for k in np.argsort(-high) if sign[k] == s][:_CLIMBED]
-            if chosen and len(ridge.peaks):
-                paths = ridge.paths(start[chosen], end[chosen])
-                ways += zip(chosen, paths, strict=True)
-        for k, way in ways:
-            height = height_of(self.h, sign[k], way)
-            if height > 0:
-                self.joined.add((self.poses, int(k)))
-                couple = _Couple(first[k], second[k], float(sign[k]), height, way)
-                self.couples.append(couple)
+    def _join_straight(
+        self, postures: Array, heights: Array, first: Index, second: Index
+    ) -> None:
+        """Keep the couples that a straight path joins."""
+        start, end = postures[first, 1:5], postures[second, 1:5]
+        target, low = straight(self.h, np.sign(heights[first]), start, end)
+        for k in np.nonzero(low > 0)[0]:
+            way = np.array([start[k], target[k]])
+            self._keep(postures[first[k]], postures[second[k]], way)
+
+    def _join_uphill(
+        self, postures: Array, heights: Array, first: Index, second: Index
+    ) -> None:
+        """Keep the couples whose way by the ridge is promised to be the highest."""
+        ways = ascents(self.h, postures[:, 1:5])
+        for sign, ridge in self.ridges.items():
+            if not len(ridge.peaks):
+                continue
+            level = ridge.levels(ways[-1])[first, second]
+            level = np.minimum(level, np.abs(heights[first]))
+            level = np.minimum(level, np.abs(heights[second]))
+            level = np.where(np.sign(heights[first]) == sign, level, 0.0)
+            for k in np.argsort(-level)[:_CLIMBED]:
+                if level[k] > 0:
+                    i, j = first[k], second[k]
+                    way = ridge.path(ways[:, i], ways[::-1, j])
+                    self._keep(postures[i], postures[j], way)
+
+    def _keep(self, first: Array, second: Array, way: Array) -> None:
+        """Keep a couple if no sample of its way is singular."""
+        sign = float(np.sign(self.h(way[0])))
+        height = height_of(self.h, sign, way)
+        if height > _ROUNDING * self.largest:
+            self.joined.add((tuple(first), tuple(second)))
+            self.couples.append(_Couple(first, second, sign, height, way))
 
     def result(self) -> Search:
         """The record, and the widest proposals."""
@@ -225,14 +243,6 @@ class _Looking:
         height = height_of(self.h, couple.sign, on_torus)
         path = _with_ends(couple.first, couple.second, on_torus)
         return Proposal(path, height * self.solver.scale**3, height / self.largest)
-
-
-def _pairs(determinants: Array) -> Iterator[tuple[int, int]]:
-    """The couples of one sign."""
-    for j in range(len(determinants)):
-        for i in range(j):
-            if determinants[i] * determinants[j] > 0:
-                yield i, j
 
 
 def _with_ends(first: Array, second: Array, on_torus: Array) -> Array:

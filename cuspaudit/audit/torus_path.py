@@ -14,17 +14,17 @@ from numpy.typing import NDArray
 
 from cuspaudit.kinematics.torus_determinant import TorusDeterminant
 
-__all__ = ["Ridge", "ascents", "height_of", "straight", "tidy"]
+__all__ = ["ascents", "height_of", "straight", "tidy"]
 
 Array = NDArray[np.float64]
 
 _SAMPLES = 48
 _FINE = 200
 _SPACING = 0.01
+_LOW = 0.02
 _STEPS = 60
 _STRIDE = 0.2
-_EQUAL = 0.05
-_MOST_PEAKS = 24
+_FIRST = 0.02
 _KEEP = 0.9
 _CUTS = 2
 _TURNS = np.array(list(product((0, 1), repeat=4)), dtype=np.float64)
@@ -57,24 +57,44 @@ def straight(
 
 
 def height_of(h: TorusDeterminant, sign: float, path: Array) -> float:
-    """The smallest s h on a path, sampled every 0.01 rad."""
+    """The smallest s h on a path, to about 1e-10 of the largest |h| on it.
+
+    It is sampled every 0.01 rad; where a sample is low, the cubic through the values
+    and slopes at its ends is followed in between, so that a narrow dip is seen.
+    """
     step = np.diff(path, axis=0)
     counts = np.ceil(np.linalg.norm(step, axis=1) / _SPACING).astype(int) + 1
     which = np.repeat(np.arange(len(step)), counts)
-    share = (np.arange(len(which)) - np.repeat(np.cumsum(counts) - counts, counts)) / (
-        np.repeat(counts, counts)
+    share = np.arange(len(which)) - np.repeat(np.cumsum(counts) - counts, counts)
+    move = step[which] / counts[which][:, None]
+    begin = path[which] + share[:, None] * move
+    value, ahead = sign * h(begin), sign * h(begin + move)
+    lowest = float(min(value.min(), ahead.min()))
+    low = np.minimum(value, ahead) < _LOW * np.abs(value).max()
+    if lowest <= 0 or not low.any():
+        return lowest
+    slope, then = (
+        sign * (h.gradient(x[low]) * move[low]).sum(-1) for x in (begin, begin + move)
     )
-    points = path[which] + share[:, None] * step[which]
-    return float((sign * h(np.vstack([points, path[-1]]))).min())
+    return min(lowest, _lowest_of_cubics(value[low], ahead[low], slope, then))
+
+
+def _lowest_of_cubics(f0: Array, f1: Array, m0: Array, m1: Array) -> float:
+    """The least value in [0, 1] of cubics with these values and slopes at 0 and 1."""
+    b, a = 3 * (f1 - f0) - 2 * m0 - m1, 2 * (f0 - f1) + m0 + m1
+    with np.errstate(divide="ignore", invalid="ignore"):
+        t = m0 / (-b - np.sqrt(b * b - 3 * a * m0))
+    t = np.where((t > 0) & (t < 1), t, 0.0)
+    return float(np.minimum(f0, f0 + t * (m0 + t * (b + t * a))).min())
 
 
 def ascents(h: TorusDeterminant, points: Array) -> Array:
     """Ways uphill of |h| from points (n, 4): (steps, n, 4), the last ones near maxima.
 
-    Each step of at most 0.2 rad follows the gradient; it is halved for a point whose
-    |h| it would lower.
+    Steps follow the gradient; they grow from 0.02 to at most 0.2 rad, and shrink for a
+    point whose |h| they would lower.
     """
-    stride = np.full(len(points), _STRIDE)
+    stride = np.full(len(points), _FIRST)
     height, ways = np.abs(h(points)), [points]
     sign = np.sign(h(points))
     for _ in range(_STEPS):
@@ -88,55 +108,6 @@ def ascents(h: TorusDeterminant, points: Array) -> Array:
         stride = np.where(up, np.minimum(1.3 * stride, _STRIDE), stride / 3)
         ways.append(points)
     return np.array(ways)
-
-
-class Ridge:
-    """Maxima of |h| of one sign and the straight ways between them.
-
-    Attributes:
-        h: the determinant.
-        sign: of h.
-        peaks: (n, 4) maxima, distinct modulo 2 pi.
-    """
-
-    def __init__(self, h: TorusDeterminant, sign: float, peaks: Array) -> None:
-        """Try the straight ways between all of the distinct ``peaks``."""
-        self.h, self.sign = h, sign
-        self.peaks = _distinct(peaks)[:_MOST_PEAKS]
-        n = len(self.peaks)
-        start = np.broadcast_to(self.peaks[:, None], (n, n, 4))
-        end = np.broadcast_to(self.peaks[None], (n, n, 4))
-        target, self._low = straight(h, np.full((n, n), sign), start, end)
-        self._move = target - start
-        self._via = _widest(self._low)
-
-    def paths(self, start: Array, end: Array) -> list[Array]:
-        """Paths between points (m, 4): uphill, along the ridge, downhill."""
-        up, down = ascents(self.h, start), ascents(self.h, end)
-        tops = self._nearest(up[-1]), self._nearest(down[-1])
-        return [
-            self._path(up[:, k], down[::-1, k], int(i), int(j))
-            for k, (i, j) in enumerate(zip(*tops, strict=True))
-        ]
-
-    def _nearest(self, points: Array) -> NDArray[np.int64]:
-        return np.asarray(_apart(points[:, None], self.peaks[None]).argmin(-1))
-
-    def _way(self, i: int, j: int) -> list[tuple[int, int]]:
-        """The straight ways that lead from peak i to peak j."""
-        if i == j:
-            return []
-        middle = int(self._via[i, j])
-        if middle < 0:
-            return [(i, j)]
-        return self._way(i, middle) + self._way(middle, j)
-
-    def _path(self, up: Array, down: Array, i: int, j: int) -> Array:
-        """One path; where it passes a peak it may turn whole turns further."""
-        moves = [self._move[leg] for leg in self._way(i, j)]
-        ridge = self.peaks[i] + np.cumsum([np.zeros(4), *moves], axis=0)
-        ridge = ridge + _turns(up[-1] - ridge[0])
-        return np.vstack([up, ridge, down + _turns(ridge[-1] - down[0])])
 
 
 def tidy(h: TorusDeterminant, sign: float, path: Array) -> Array:
@@ -171,31 +142,3 @@ def _corners_cut(path: Array) -> Array:
     near, far = 0.75 * before + 0.25 * after, 0.25 * before + 0.75 * after
     inner = np.stack([near, far], axis=1).reshape(-1, 4)[1:-1]
     return np.vstack([path[0], inner, path[-1]])
-
-
-def _turns(apart: Array) -> Array:
-    """The whole turns nearest to differences of angles."""
-    return np.asarray(2 * np.pi * np.round(apart / (2 * np.pi)))
-
-
-def _widest(low: Array) -> NDArray[np.int64]:
-    """Raise ``low`` to the widest ways; the peak each goes by, -1 for none."""
-    via = np.full(low.shape, -1)
-    for k in range(len(low)):
-        through = np.minimum(low[:, k, None], low[None, k])
-        better = through > low
-        low[better], via[better] = through[better], k
-    return via
-
-
-def _distinct(points: Array) -> Array:
-    kept: list[Array] = []
-    for point in points:
-        if not kept or _apart(np.array(kept), point).min() > _EQUAL:
-            kept.append(point)
-    return np.array(kept).reshape(-1, 4)
-
-
-def _apart(a: Array, b: Array) -> Array:
-    """The largest difference of an angle, modulo 2 pi."""
-    return np.asarray(np.abs(np.remainder(a - b + np.pi, 2 * np.pi) - np.pi).max(-1))

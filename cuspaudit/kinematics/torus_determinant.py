@@ -85,4 +85,4 @@ def _basis(angles: Array, degree: int, derived: bool = False) -> Array:
 
 def _products(a: Array, b: Array) -> Array:
     product = a[..., :, None] * b[..., None, :]
-    return product.reshape(*product.shape[:-2], -1)
+    return product.reshape(*product.shape[:-2], a.shape[-1] * b.shape[-1])

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from cuspaudit.audit.torus_path import Ridge, ascents, height_of, straight, tidy
+from cuspaudit.audit.torus_path import ascents, height_of, straight, tidy
 from cuspaudit.kinematics.torus_determinant import TorusDeterminant
 
 
@@ -44,17 +44,19 @@ def test_ascents_never_fall() -> None:
     assert set(np.round(values[-1], 6)) <= {1.5, 0.5}
 
 
-def test_a_path_over_the_ridge_keeps_its_ends() -> None:
-    """Its first point is the start, its last the end modulo whole turns."""
-    h = of_terms({(5, 0): 1.0, (0, 3): 0.4, (1, 6): 0.3, (0, 0): 0.2})
-    starts = np.random.default_rng(1).uniform(-np.pi, np.pi, (40, 4))
-    high = starts[h(starts) > 0]
-    ridge = Ridge(h, 1.0, ascents(h, high)[-1])
-    for path, end in zip(ridge.paths(high[:5], high[5:10]), high[5:10], strict=True):
-        turns = (path[-1] - end) / (2 * np.pi)
-        assert turns == pytest.approx(np.round(turns), abs=1e-9)
-        assert np.abs(np.diff(path, axis=0)).max() < 2 * np.pi
-        assert height_of(h, 1.0, path) > 0
+def test_a_narrow_dip_between_samples_is_seen() -> None:
+    """Two zeros 2e-4 rad apart, far less than the distance of samples, are found.
+
+    h = (cos theta4)^2 - 1e-8 dips below zero at 90 degrees; with + 1e-8 it does not.
+    """
+    path = np.array([[0.3, 0, 0.1, 0], [0.3, 0, 2.9, 0]])
+    dip, touch = (
+        of_terms({(0, 9): 0.5, (0, 0): 0.5 + shift}) for shift in (-1e-8, 1e-8)
+    )
+    sampled = dip(path[0] + np.linspace(0, 1, 281)[:, None] * (path[1] - path[0]))
+    assert sampled.min() > 0
+    assert height_of(dip, 1.0, path) < 0
+    assert height_of(touch, 1.0, path) == pytest.approx(1e-8, abs=1e-9)
 
 
 def test_tidy_makes_a_detour_straight() -> None:
