@@ -68,10 +68,11 @@ def critical_points(
 
 def box_of(ring: Ring, point: Point, bits: int) -> Box:
     """A point of R^n as balls in the order of the ring."""
-    if isinstance(point, RealPoint):
-        balls = point.ball(bits)
-        return tuple(balls[name] for name in ring.variables)
-    return tuple(arb(x) for x in point)
+    with ctx.workprec(bits):
+        if isinstance(point, RealPoint):
+            balls = point.ball(bits)
+            return tuple(balls[name] for name in ring.variables)
+        return tuple(arb(x) for x in point)
 
 
 def _classified(landscape: Landscape, point: RealPoint) -> CriticalPoint | None:

@@ -11,7 +11,9 @@ from surfaces import Build, arm_map, plane, road_of, torus
 
 from cuspaudit.algebra.ring import Polynomial, Ring
 from cuspaudit.algebra.system import PolynomialMap, PolynomialSystem
+from cuspaudit.algebra.zero_dimensional import solve_zero_dimensional
 from cuspaudit.cuspidality.decision import decide
+from cuspaudit.errors import NotOnVarietyError, UnableError
 from cuspaudit.geometry.crit import crit
 from cuspaudit.geometry.graph_isotop import graph_isotop
 from cuspaudit.geometry.routing import Routing, morse_graph, routing
@@ -91,6 +93,61 @@ def test_a_path_keeps_clear_of_the_critical_curve() -> None:
         [a + np.linspace(0, 1, 50)[:, None] * (b - a) for a, b in pairwise(way)]
     ).T
     assert (3 * x**2 + y).min() > 0
+
+
+def test_the_boxes_of_a_path_are_linked_and_nonsingular() -> None:
+    """Delta has no zero on any box, and each box meets the next."""
+    variety, mapping = MAPS["Whitney cusp"][0]
+    found = routed((variety, mapping))
+    boxes = found.boxes((2, -1), (-2, -1))
+    delta = found.landscape.height
+    for box, following in pairwise(boxes):
+        assert all(a.overlaps(b) for a, b in zip(box, following, strict=True))
+    assert all(delta.value(box) is not None for box in boxes)
+    assert boxes[0][0] > 1
+    assert boxes[-1][0] < -1
+
+
+def test_clearance_is_the_height_of_the_pass() -> None:
+    """The widest way between two maxima goes over the highest saddle.
+
+    For h = 3 x^2 + 2 y^2 + z^2 from (1, 0, 0) to (-1, 0, 0) that is (0, 1, 0), where
+    h = 2; from a lower point it is as wide as the point is high.
+    """
+    found = morse_graph(SPHERE, 2, [3 * X**2 + 2 * Y**2 + Z**2])
+    assert found.clearance((1, 0, 0), (-1, 0, 0)) == pytest.approx(2, rel=1e-5)
+    low = (0, fmpq(3, 5), fmpq(4, 5))
+    assert found.clearance(low, (-1, 0, 0)) == pytest.approx(1.36, rel=1e-5)
+    weighted = routed(MAPS["fold"][0])
+    with pytest.raises(UnableError, match="clearance"):
+        weighted.clearance((1, 0), (2, 0))
+
+
+def test_points_off_the_complement_are_refused() -> None:
+    """A query must lie on V, exactly, and off {Delta = 0}."""
+    found = routed(MAPS["sphere"][0])
+    with pytest.raises(NotOnVarietyError, match="not on V"):
+        found.component((0, 0, fmpq(999, 1000)))
+    with pytest.raises(NotOnVarietyError, match="Delta = 0"):
+        found.component((1, 0, 0))
+
+
+def test_algebraic_points_are_queries_too() -> None:
+    """The two points of the sphere over (1/2, 1/2), z = +-1/sqrt2: two components."""
+    variety, mapping = MAPS["sphere"][0]
+    half = fmpq(1, 2)
+    system = PolynomialSystem(SPACE, (*variety.equations, X - half, Y - half))
+    low, high = solve_zero_dimensional(system).real_points()
+    found = routing(variety, mapping, crit(variety, mapping), [low, high])
+    assert not found.connected(low, high)
+    assert found.connected(high, (0, 0, high.sign(Z, SPACE)))
+
+
+def test_out_of_time() -> None:
+    """No time is no answer."""
+    variety, mapping = MAPS["sphere"][0]
+    with pytest.raises(UnableError, match="time"):
+        routing(variety, mapping, crit(variety, mapping), timeout=0)
 
 
 def test_the_two_hemispheres() -> None:
