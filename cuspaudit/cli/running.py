@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from cuspaudit.kinematics.chain import Chain
     from cuspaudit.kinematics.robot import Robot
 
-__all__ = ["certificate_text", "page_text", "run_audit"]
+__all__ = ["certificate_text", "page_text", "progress_line", "run_audit"]
 
 
 def run_audit(
@@ -32,7 +32,7 @@ def run_audit(
     from cuspaudit.kinematics.snap_policy import policy_from_name
 
     policy = policy_from_name(snap)
-    with _progress() as step:
+    with progress_line("import") as step:
         return audit(robot, Options(seed, timeout, locked, step, policy))
 
 
@@ -68,11 +68,11 @@ def page_text(record: Mapping[str, Any], result: Audit, proof: str | None) -> st
 
 
 @contextmanager
-def _progress() -> Iterator[Callable[[str], None]]:
+def progress_line(first: str) -> Iterator[Callable[[str], None]]:
     """A line with the name of the running step, on a terminal only."""
     console = Console(stderr=True)
     if not console.is_terminal:
         yield lambda step: None
         return
-    with console.status("import") as status:
+    with console.status(first) as status:
         yield lambda step: status.update(step)

@@ -275,7 +275,7 @@ def _quarter() -> Angle:
 
 def test_an_absent_package_has_no_version(monkeypatch: pytest.MonkeyPatch) -> None:
     """Versions of what is not installed are null."""
-    monkeypatch.setattr(module, "_PACKAGES", ("no-such-package",))
+    monkeypatch.setattr(module, "PACKAGES", ("no-such-package",))
     versions = audit(open_robot("baili-2004-wt1")).record()["versions"]
     assert versions["no-such-package"] is None
     assert versions["cuspaudit"] == cuspaudit.__version__

@@ -1,0 +1,114 @@
+"""`cuspaudit decide`: Algorithm 1 on a polynomial system and map, no robot."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+from rich.console import Console
+from rich.table import Table
+from rich.text import Text
+
+from cuspaudit.cli.audit import EXIT
+from cuspaudit.cli.options import Engine, EngineName, Seed
+from cuspaudit.cli.running import progress_line
+from cuspaudit.cli.summary import COLOUR
+from cuspaudit.errors import AssumptionError
+
+__all__ = ["decide"]
+
+
+def decide(
+    system: Annotated[
+        Path,
+        typer.Argument(
+            metavar="SYSTEM",
+            help="A YAML file: variables: [x, y], equations: [], map: [x^3 + x*y, y].",
+        ),
+    ],
+    json_file: Annotated[
+        str | None,
+        typer.Option("--json", metavar="FILE", help="Write the run; - is stdout."),
+    ] = None,
+    engine: EngineName = Engine.auto,
+    seed: Seed = 1,
+    timeout: Annotated[
+        float, typer.Option(min=0.0, help="Seconds after which it is undecided.")
+    ] = 3600.0,
+    memory: Annotated[
+        float, typer.Option(min=0.5, help="GiB after which it is undecided.")
+    ] = 8.0,
+    exit_zero: Annotated[
+        bool, typer.Option("--exit-zero", help="Exit 0 whatever the verdict.")
+    ] = False,
+) -> None:
+    """Decide whether a polynomial map R on V = {f = 0} is cuspidal: Algorithm 1.
+
+    Two engines tell which points of V are connected without meeting a critical point:
+    the sheets of R over the cells of its values (roadmap), and the maxima and saddles
+    of |Delta| (routing). auto takes the first, and the second where that is unable.
+    """
+    from cuspaudit.audit.system_file import read_system
+    from cuspaudit.audit.system_report import decide_system
+    from cuspaudit.audit.writing import check_writable, write_text
+
+    if json_file not in (None, "-"):
+        check_writable(Path(json_file or ""))
+    read = read_system(system)
+    try:
+        with progress_line("crit") as step:
+            record = decide_system(
+                read,
+                engine.value,
+                seed=seed,
+                timeout=timeout,
+                memory=int(memory * 2**30),
+                progress=step,
+            )
+    except AssumptionError as error:
+        name = type(error).__name__
+        raise AssumptionError(f"{system}: {name}: {error}") from error
+    text = json.dumps(record, indent=1, allow_nan=False)
+    if json_file == "-":
+        typer.echo(text)
+    else:
+        if json_file:
+            write_text(Path(json_file), text)
+        _print(record, json_file)
+    raise typer.Exit(0 if exit_zero else EXIT[record["verdict"]])
+
+
+def _print(record: dict[str, Any], json_file: str | None) -> None:
+    table = Table.grid(padding=(0, 2))
+    system, verdict, proof = record["system"], record["verdict"], record["proof"]
+    rows: dict[str, Any] = {
+        "system": f"{system['name']}: {len(system['variables'])} variables, "
+        f"{len(system['equations'])} equations, map to R^{len(system['map'])}",
+        "verdict": Text(verdict, style=COLOUR[verdict]),
+        "why": proof["why"],
+        "proof": ", ".join([str(proof["engine"]), *proof["rests_on"]])
+        if proof["engine"]
+        else None,
+        "aspects": record["aspects"]["count"],
+        "postures": record["postures"]["max"],
+        "Delta": " · ".join(f"({f})" for f in record["singular"]["factors"])
+        or record["singular"]["determinant"],
+    }
+    if record["witness"]:
+        for name, point in zip("pq", record["witness"]["postures"], strict=True):
+            rows[f"point {name}"] = ", ".join(f"{x:.6g}" for x in point)
+        rows["path"] = f"{len(record['witness']['path'])} points, with --json"
+    if record["undecided"]:
+        rows["settled by"] = record["undecided"]["would_settle"]
+    rows["steps"] = ", ".join(
+        f"{step['name']} {step['seconds']:.2f} s" for step in record["steps"]
+    )
+    rows["JSON"] = json_file
+    rows["time"] = f"{record['seconds']['total']:.2f} s"
+    for name, value in rows.items():
+        if value not in (None, ""):
+            shown = value if isinstance(value, Text) else Text(str(value))
+            table.add_row(Text(name, style="dim"), shown)
+    Console(highlight=False, soft_wrap=True).print(table)

@@ -1,0 +1,245 @@
+"""Algorithm 1 of the paper on any variety and map, with two routes to connectivity.
+
+    g <- AtypicalValues(R, f)
+    Q <- SamplePointsRational(g)
+    P <- Union over q in Q of P_q = SamplePoints((f, R - q), ())
+    Delta <- Crit(R, f)
+    G <- GraphIsotop(Roadmap(f, Delta, P), Delta, P)    or    Routing(f, Delta, P)
+    for q in Q: a couple if two points of P_q are connected in G
+
+Correct by Proposition 10 of the paper under assumption (A), which is checked. Points of
+one fiber at which a factor of Delta has different signs are not connected, so they are
+never asked for.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Iterator, Sequence
+from dataclasses import dataclass, field
+from itertools import combinations
+from typing import Literal, Protocol
+
+import numpy as np
+from flint import fmpq
+from numpy.typing import NDArray
+
+from cuspaudit.algebra.parametrization import (
+    RealPoint,
+    ZeroDimensionalParametrization,
+)
+from cuspaudit.algebra.ring import Polynomial
+from cuspaudit.algebra.system import PolynomialMap, PolynomialSystem
+from cuspaudit.cuspidality.steps import Step, Steps
+from cuspaudit.cuspidality.verdict import Verdict
+from cuspaudit.errors import DegenerateMapError, RetryableError, UnableError
+from cuspaudit.geometry.assumption_a import check_assumption_a
+from cuspaudit.geometry.crit import crit
+from cuspaudit.geometry.generic_fiber import GenericFiber, generic_fiber
+from cuspaudit.geometry.open_cells import open_cells
+from cuspaudit.geometry.routing import routing
+from cuspaudit.geometry.sheet_roadmap import sheet_roadmap
+
+__all__ = ["ENGINES", "AlgorithmRun", "FiberCouple", "decide_map"]
+
+Engine = Literal["auto", "roadmap", "routing"]
+ENGINES: tuple[Engine, ...] = ("auto", "roadmap", "routing")
+
+_UNLIMITED = 1e6
+_EXACT = ("FLINT resultants", "FLINT root isolation", "exact signs", "ball arithmetic")
+
+
+class Connectivity(Protocol):
+    """The components of V - {Delta = 0}, by either route."""
+
+    @property
+    def grounds(self) -> Collection[str]:
+        """What their completeness rests on beside exact arithmetic and balls."""
+
+    @property
+    def number_of_components(self) -> int:
+        """Their number, proved."""
+
+    def component(self, point: RealPoint) -> int:
+        """The number of the component of a point with Delta != 0."""
+
+    def path(self, first: RealPoint, second: RealPoint) -> NDArray[np.float64]:
+        """Way points on V between two points of one component."""
+
+
+@dataclass(frozen=True, eq=False)
+class FiberCouple:
+    """Two points of V over one value, in one component of V - {Delta = 0}.
+
+    Attributes:
+        value: q in Q^d.
+        points: the two points, exactly.
+        sign: of Delta at both; 1 when there are several minors.
+        path: (m, n) way points on V from the first to the second, in floating point.
+    """
+
+    value: tuple[fmpq, ...]
+    points: tuple[RealPoint, RealPoint]
+    sign: int
+    path: NDArray[np.float64]
+
+
+@dataclass(eq=False)
+class AlgorithmRun:
+    """One run of Algorithm 1, as far as it came.
+
+    Attributes:
+        variety: V = {f = 0}.
+        mapping: R.
+        verdict: UNDECIDED until the run has ended.
+        engine: the route to connectivity that gave the verdict.
+        minors: Delta, or several minors with {Delta = 0} for their common zeros on V.
+        atypical: polynomials g with the atypical values among their zeros.
+        samples: the real points over one value, at least, in every cell of {g != 0}.
+        components: the number of components of V - {Delta = 0}, proved.
+        couple: of a cuspidal map.
+        rests_on: what the verdict rests on.
+        steps: the steps that ended.
+        failure: why there is no verdict.
+    """
+
+    variety: PolynomialSystem
+    mapping: PolynomialMap
+    verdict: Verdict = Verdict.UNDECIDED
+    engine: str | None = None
+    minors: tuple[Polynomial, ...] = ()
+    atypical: list[Polynomial] = field(default_factory=list)
+    samples: dict[tuple[fmpq, ...], tuple[RealPoint, ...]] = field(default_factory=dict)
+    components: int | None = None
+    couple: FiberCouple | None = None
+    rests_on: tuple[str, ...] = ()
+    steps: tuple[Step, ...] = ()
+    failure: UnableError | None = None
+
+    @property
+    def most_points(self) -> int | None:
+        """The largest number of real points over a value with g != 0, proved."""
+        return max(map(len, self.samples.values()), default=None)
+
+
+def decide_map(
+    variety: PolynomialSystem,
+    mapping: PolynomialMap,
+    engine: Engine = "auto",
+    *,
+    seed: int = 1,
+    timeout: float | None = None,
+    progress: Callable[[str], None] = lambda step: None,
+) -> AlgorithmRun:
+    """Decide whether the restriction of R to V_R is cuspidal.
+
+    [Paper, Algorithm 1].
+
+    Args:
+        variety: V = {f = 0} over Q, f empty for V = R^n.
+        mapping: R: V -> R^d, d the dimension of V.
+        engine: the route to connectivity; "auto" takes the roadmap, and the routing
+            where that is unable.
+        seed: of every random choice.
+        timeout: in s; looked at between steps and given to every program started.
+        progress: called with the name of each step before it runs.
+
+    Returns:
+        The run. UNDECIDED, with ``failure`` naming the step, when one was too large or
+        too long.
+
+    Raises:
+        AssumptionError: assumption (A) fails, R is singular everywhere on V, or the
+            numbers of equations, components and variables do not fit.
+    """
+    run = AlgorithmRun(variety, mapping)
+    steps = Steps(progress, timeout)
+    try:
+        _prepare(run, steps, seed)
+        _connect(run, steps, engine, seed)
+    except UnableError as limit:
+        run.failure = limit
+    except RetryableError as unlucky:
+        run.failure = UnableError(steps.current, str(unlucky))
+    steps.end()
+    run.steps = tuple(steps.done)
+    return run
+
+
+def _prepare(run: AlgorithmRun, steps: Steps, seed: int) -> None:
+    """Steps 1 to 8 of the algorithm: Delta, g, Q and the points over Q."""
+    variety, mapping = run.variety, run.mapping
+    steps.begin("crit")
+    run.minors = crit(variety, mapping)
+    steps.begin("check_assumption_a")
+    check_assumption_a(variety, len(mapping.components))
+    if not run.minors:
+        raise DegenerateMapError("Delta vanishes identically: the map has no full rank")
+    steps.begin("atypical_values")
+    fiber = generic_fiber(variety, mapping, _limit(steps), seed)
+    run.atypical = [fiber.leading, fiber.discriminant]
+    steps.begin("sample_points_rational")
+    cells = open_cells(fiber.ring, run.atypical, fiber.values)
+    steps.begin("sample_points")
+    for value in cells.samples.values():
+        run.samples[value] = _fiber(fiber, value).real_points()
+
+
+def _fiber(
+    fiber: GenericFiber, value: tuple[fmpq, ...]
+) -> ZeroDimensionalParametrization:
+    """The points over a value with lc disc != 0; complete by `generic_fiber`."""
+    omega, rho = fiber.over(value)
+    leading = omega[omega.degree()]
+    return ZeroDimensionalParametrization(
+        fiber.variety.ring.variables,
+        omega / leading,
+        tuple(p % omega / leading for p in rho),
+        tuple(map(fmpq, fiber.form)),
+        ("generic fiber",),
+    )
+
+
+def _connect(run: AlgorithmRun, steps: Steps, engine: Engine, seed: int) -> None:
+    """Steps 9 to 14: connectivity by one route, or the other where that is unable."""
+    routes = ("roadmap", "routing") if engine == "auto" else (engine,)
+    for route in routes:
+        try:
+            steps.begin(route)
+            graph = _graph(run, route, steps, seed)
+            steps.begin("graph_connected")
+            run.couple = next(_couples(run, graph), None)
+        except (UnableError, RetryableError):
+            if route == routes[-1] or steps.left == 0.0:
+                raise
+            continue
+        run.engine, run.components = route, graph.number_of_components
+        run.rests_on = (*_EXACT, *sorted(graph.grounds))
+        run.verdict = Verdict.CUSPIDAL if run.couple else Verdict.NONCUSPIDAL
+        return
+
+
+def _graph(run: AlgorithmRun, route: str, steps: Steps, seed: int) -> Connectivity:
+    limit = _limit(steps)
+    if route == "roadmap":
+        return sheet_roadmap(run.variety, run.mapping, timeout=limit, seed=seed)
+    return routing(run.variety, run.mapping, run.minors, timeout=limit, seed=seed)
+
+
+def _couples(run: AlgorithmRun, graph: Connectivity) -> Iterator[FiberCouple]:
+    factors = _factors(run.minors)
+    ring = run.variety.ring
+    for value, points in run.samples.items():
+        signs = {p: tuple(p.sign(f, ring) for f in factors) for p in points}
+        for a, b in combinations(points, 2):
+            if signs[a] == signs[b] and graph.component(a) == graph.component(b):
+                sign = a.sign(run.minors[0], ring) if len(run.minors) == 1 else 1
+                yield FiberCouple(value, (a, b), sign, graph.path(a, b))
+
+
+def _factors(minors: Sequence[Polynomial]) -> list[Polynomial]:
+    """Factors of Delta; none when several minors must vanish together."""
+    return [f for f, _ in minors[0].factor()[1]] if len(minors) == 1 else []
+
+
+def _limit(steps: Steps) -> float:
+    return _UNLIMITED if steps.left is None else steps.left

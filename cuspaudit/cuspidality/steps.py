@@ -1,0 +1,79 @@
+"""The steps of a decision, timed: their names, seconds and peak memory."""
+
+from __future__ import annotations
+
+import resource
+import sys
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from cuspaudit.errors import UnableError
+
+__all__ = ["Step", "Steps"]
+
+
+@dataclass(frozen=True)
+class Step:
+    """One step of Algorithm 1 that has ended.
+
+    Attributes:
+        name: the paper's routine.
+        seconds: its wall time.
+        megabytes: the largest resident memory of the process so far, programs that it
+            started included; None where it is not known.
+    """
+
+    name: str
+    seconds: float
+    megabytes: float | None
+
+
+class Steps:
+    """Keeps the steps and their time limit."""
+
+    def __init__(
+        self, progress: Callable[[str], None], timeout: float | None = None
+    ) -> None:
+        self.done: list[Step] = []
+        self._progress, self._timeout = progress, timeout
+        self._start = self._begun = time.perf_counter()
+        self._name: str | None = None
+
+    @property
+    def current(self) -> str:
+        """The name of the step under way."""
+        return self._name or "start"
+
+    @property
+    def left(self) -> float | None:
+        """Seconds until the time limit, at least 0; None without one."""
+        if self._timeout is None:
+            return None
+        return max(0.0, self._timeout - (time.perf_counter() - self._start))
+
+    def begin(self, name: str) -> None:
+        """End the step under way and begin ``name``.
+
+        Raises:
+            UnableError: the time limit has passed.
+        """
+        self.end()
+        if self.left == 0.0:
+            raise UnableError(name, f"the time limit of {self._timeout:g} s has passed")
+        self._name, self._begun = name, time.perf_counter()
+        self._progress(name)
+
+    def end(self) -> None:
+        """End the step under way, if there is one."""
+        if self._name is not None:
+            seconds = time.perf_counter() - self._begun
+            self.done.append(Step(self._name, seconds, _peak()))
+            self._name = None
+
+
+def _peak() -> float:
+    """Peak resident memory in MB; the kernel counts in bytes on macOS, else in kB."""
+    unit = 1e6 if sys.platform == "darwin" else 1e3
+    who = (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)
+    return max(resource.getrusage(w).ru_maxrss for w in who) / unit
