@@ -70,9 +70,9 @@ def _polynomial(ring: Ring, text: str) -> Polynomial:
     for sign, term in _TERM.findall("".join(text.split())):
         exponents, coefficient = [0] * len(place), fmpq(-1 if sign == "-" else 1)
         for factor in term.split("*"):
-            base, _, power = factor.partition("^")
+            base, mark, power = factor.partition("^")
             if base in place:
-                exponents[place[base]] += int(power or 1)
+                exponents[place[base]] += int(power) if mark else 1
             else:
                 above, _, below = base.partition("/")
                 coefficient *= fmpq(int(above), int(below or 1))

@@ -21,7 +21,7 @@ below and within the gaps above, to the chosen one.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
 
@@ -136,7 +136,8 @@ def open_cells(
         stacked = []
         for cell, point in base:
             roots = cells.stack(point)
-            stack = [(*point, y) for y in _between(roots)]
+            accept = _Generic(cells, point)
+            stack = [(*point, y) for y in _between(roots, accept)]
             stacked += [((*cell, i), sample) for i, sample in enumerate(stack)]
             for i, root in enumerate(roots):
                 names, ends = ((*cell, i), (*cell, i + 1)), (stack[i], stack[i + 1])
@@ -159,14 +160,65 @@ def _levels(
     return tuple(reversed(levels))
 
 
-def _between(roots: Sequence[RealRoot]) -> list[fmpq]:
+@dataclass(frozen=True)
+class _Generic:
+    """Whether a next coordinate keeps the level after the next from vanishing.
+
+    Over (point, y) a polynomial of that level must vanish on no line; with a ``root``,
+    on no line over the root of the axis ``axis``.
+    """
+
+    cells: OpenCells
+    point: Point
+    axis: int | None = None
+    root: RealRoot | None = None
+
+    def __call__(self, y: fmpq) -> bool:
+        level = len(self.point) + (1 if self.root else 2)
+        if level >= len(self.cells.levels):
+            return True
+        ring, names = self.cells.ring, self.cells.variables
+        axis = level - 1 if self.axis is None else self.axis
+        at = dict(zip(names, (*self.point, y), strict=False))
+        at.pop(names[axis], None)
+        return all(
+            _is_proper(
+                _row(ring, ring.substitute(p, at), names[axis], names[level]), self.root
+            )
+            for p in self.cells.levels[level]
+        )
+
+
+def _is_proper(row: list[fmpq_poly], root: RealRoot | None) -> bool:
+    """Whether a polynomial vanishes on no line, or on none over the root."""
+    if root is None:
+        common = fmpq_poly([0])
+        for c in row:
+            common = common.gcd(c)
+        return bool(common.degree() == 0)
+    return any(c % fmpq_poly(root.polynomial) != 0 for c in row)
+
+
+def _between(
+    roots: Sequence[RealRoot], accept: Callable[[fmpq], bool] = lambda y: True
+) -> list[fmpq]:
     """A rational in every gap between distinct roots."""
     for bits in PRECISIONS:
         balls = [root.enclosure(bits) for root in roots]
         if all(a < b for a, b in pairwise(balls)):
-            ends = pairwise([None, *balls, None])
-            return [next(rationals_between(low, high)) for low, high in ends]
+            return _chosen(balls, accept)
     raise PrecisionError("order of distinct real roots", PRECISIONS[-1])
+
+
+def _chosen(balls: Sequence[arb], accept: Callable[[fmpq], bool]) -> list[fmpq]:
+    """The first accepted rational in every gap between disjoint balls."""
+    found = []
+    for low, high in pairwise([None, *balls, None]):
+        y = next(filter(accept, rationals_between(low, high)), None)
+        if y is None:
+            raise UnableError("open_cells", "a polynomial vanishes on too many lines")
+        found.append(y)
+    return found
 
 
 def _is_zero(
@@ -195,9 +247,9 @@ def _raised(cells: OpenCells, contact: Contact) -> Iterator[Contact]:
     at = dict(zip(cells.variables, contact.ends[0], strict=False))
     del at[w]
     special = [ring.substitute(p, at) for p in cells.levels[level]]
-    rows = [_row(ring, p, w, z, contact.root) for p in special]
-    gaps = pairwise([None, *real_roots_over(rows, contact.root), None])
-    chosen = [next(rationals_between(low, high)) for low, high in gaps]
+    rows = [_row(ring, p, w, z) for p in special]
+    accept = _Generic(cells, contact.ends[0], axis, contact.root)
+    chosen = _chosen(real_roots_over(rows, contact.root), accept)
     along = [ring.substitute(p, {z: b}) for p in special for b in chosen]
     between = contact.ends[0][axis], contact.ends[1][axis]
     window = _window(_zeros(ring, along, w), contact.root, between)
@@ -216,14 +268,11 @@ def _raised(cells: OpenCells, contact: Contact) -> Iterator[Contact]:
             )
 
 
-def _row(ring: Ring, p: Polynomial, w: str, z: str, root: RealRoot) -> list[fmpq_poly]:
-    """The coefficients of the powers of z, polynomials in w, not all 0 at the root."""
-    parts, defining = ring.coefficients(p, [z]), fmpq_poly(root.polynomial)
+def _row(ring: Ring, p: Polynomial, w: str, z: str) -> list[fmpq_poly]:
+    """The coefficients of the powers of z, polynomials in w."""
+    parts = ring.coefficients(p, [z])
     row = [parts.get((k,), ring.constant(0)) for k in range(max(parts)[0] + 1)]
-    rational = [Univariate.from_polynomial(ring, c, w).rational for c in row]
-    if all(c % defining == 0 for c in rational):
-        raise UnableError("open_cells", f"a polynomial vanishes on a line along {z}")
-    return rational
+    return [Univariate.from_polynomial(ring, c, w).rational for c in row]
 
 
 def _window(
