@@ -8,9 +8,9 @@ coefficients, lowest first, the last one not 0.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from itertools import combinations, pairwise
+from itertools import combinations, pairwise, product
 
-from flint import acb_poly, arb, arb_poly, ctx, fmpq_poly
+from flint import acb_poly, arb, arb_poly, ctx, fmpq, fmpq_poly
 
 from cuspaudit.algebra.univariate import PRECISIONS, RealRoot
 from cuspaudit.errors import PrecisionError
@@ -18,6 +18,9 @@ from cuspaudit.errors import PrecisionError
 __all__ = ["real_roots_over"]
 
 _Row = list[fmpq_poly]
+
+#: FLINT's iteration stands still on 4 z^2 + 73 z + 333, but not from elsewhere
+_SHIFTS = (fmpq(0), fmpq(1, 3), fmpq(-5, 7))
 
 
 def real_roots_over(
@@ -39,14 +42,16 @@ def real_roots_over(
     m = fmpq_poly(root.polynomial)
     rows = [row for row in (_reduced(p, m) for p in polynomials) if len(row) > 1]
     rows = _coprime([_square_free(row, m) for row in rows], m)
-    for bits in PRECISIONS[1:]:
-        found = _isolated(rows, root, bits)
+    for bits, shift in product(PRECISIONS[1:], _SHIFTS):
+        found = _isolated(rows, root, bits, shift)
         if found is not None:
             return found
     raise PrecisionError("real roots over a real root", PRECISIONS[-1])
 
 
-def _isolated(rows: list[_Row], root: RealRoot, bits: int) -> list[arb] | None:
+def _isolated(
+    rows: list[_Row], root: RealRoot, bits: int, shift: fmpq
+) -> list[arb] | None:
     """The real zeros, if balls prove that all complex zeros are distinct.
 
     A zero is real when the smallest box symmetric in the real axis round its ball
@@ -57,10 +62,11 @@ def _isolated(rows: list[_Row], root: RealRoot, bits: int) -> list[arb] | None:
     saved, ctx.prec = ctx.prec, bits
     try:
         alpha = root.enclosure(bits)
-        product = arb_poly([1])
+        total = arb_poly([1])
         for row in rows:
-            product *= arb_poly([arb_poly(c)(alpha) for c in row])
-        zeros = acb_poly(product).roots(arb(2) ** -(bits // 4))
+            total *= arb_poly([arb_poly(c)(alpha) for c in row])
+        moved = acb_poly(total(arb_poly([shift, 1])))
+        zeros = [z + shift for z in moved.roots(arb(2) ** -(bits // 4))]
     except ValueError:
         return None
     finally:

@@ -82,3 +82,11 @@ def test_random_products_have_their_factors_zeros() -> None:
         for zero in wanted.values():
             value = sum((arb(c) * alpha**k for k, c in enumerate(zero)), arb(0))
             assert sum(ball.overlaps(value) for ball in balls) == 1
+
+
+def test_a_quadratic_on_which_the_iteration_stands_still() -> None:
+    """4 z^2 + 73 z + 333 has the zeros -37/4 and -9."""
+    row = [fmpq_poly([333]), fmpq_poly([73]), fmpq_poly([4])]
+    low, high = middles([row])
+    assert abs(low + 9.25) < 1e-12
+    assert abs(high + 9) < 1e-12
