@@ -35,6 +35,7 @@ from cuspaudit.algebra.trigonometric import (
     reduce_on_circles,
 )
 from cuspaudit.errors import DegenerateMapError, UnableError
+from cuspaudit.geometry.torus_arcs import Arcs, arcs
 from cuspaudit.geometry.torus_walls import Walls
 
 __all__ = ["HalfCircles", "TorusComponents", "torus_components"]
@@ -66,6 +67,12 @@ class HalfCircles:
         arcs = prod(wall.number_of_arcs for wall in self.walls)
         return arcs if self.fiber is None else 2 * arcs
 
+    @property
+    def grounds(self) -> tuple[str, ...]:
+        """What the number rests on."""
+        kind = "linear along a circle" if self.fiber else "of one circle"
+        return (f"a function {kind}", "FLINT root isolation")
+
     def component(self, point: Mapping[str, arb]) -> Label | None:
         """The component of a point given by balls for its variables.
 
@@ -96,7 +103,7 @@ class TorusComponents:
 
     ring: Ring
     function: Polynomial
-    parts: tuple[HalfCircles, ...]
+    parts: tuple[HalfCircles | Arcs, ...]
 
     @cached_property
     def number_of_components(self) -> int:
@@ -106,11 +113,8 @@ class TorusComponents:
     @property
     def grounds(self) -> tuple[str, ...]:
         """What the number rests on."""
-        return (
-            "a function linear along a circle",
-            "FLINT greatest common divisors",
-            "FLINT root isolation",
-        )
+        every = [ground for part in self.parts for ground in part.grounds]
+        return tuple(dict.fromkeys(every))
 
     def component(self, point: Mapping[str, arb]) -> Label | None:
         """A label of the component of a point, equal exactly within a component.
@@ -143,21 +147,26 @@ class TorusComponents:
 
 
 def torus_components(
-    ring: Ring, circles: Sequence[Circle], function: Polynomial
+    ring: Ring,
+    circles: Sequence[Circle],
+    function: Polynomial,
+    timeout: float | None = None,
 ) -> TorusComponents:
-    """The components of {h != 0}, each factor by the theorem above.
+    """The components of {h != 0}, each factor by the theorem above or by covers.
 
     Args:
         ring: K[x_1..x_n].
         circles: (c_i, s_i), pairs of variables of ``ring``; the torus.
         function: h, a polynomial in these variables.
+        timeout: in seconds of processor time, for each cover of a factor that is not
+            linear along a circle; without it no cover is tried.
 
-    Guarantee: exact.
+    Guarantee: the number is proved, on the result's ``grounds``.
 
     Raises:
         DegenerateMapError: h vanishes identically.
-        UnableError: a factor is linear along no circle, or its G has a factor of two
-            or more circles.
+        UnableError: a factor is linear along no circle and no cover settles it, or
+            its G has a factor of two or more circles.
 
     >>> ring = Ring(["c1", "s1", "c2", "s2"])
     >>> c1, s1, c2, s2 = ring.gens
@@ -171,7 +180,7 @@ def torus_components(
     if factors == [0]:
         raise DegenerateMapError("h vanishes everywhere on the torus")
     parts = tuple(
-        _part(ring, used, product)
+        _part(ring, used, product, timeout)
         for used, product in _separate(ring, circles, factors)
     )
     return TorusComponents(ring, function, parts)
@@ -193,7 +202,12 @@ def _separate(
     return groups
 
 
-def _part(ring: Ring, circles: Sequence[Circle], function: Polynomial) -> HalfCircles:
+def _part(
+    ring: Ring,
+    circles: Sequence[Circle],
+    function: Polynomial,
+    timeout: float | None,
+) -> HalfCircles | Arcs:
     function = reduce_on_circles(ring, circles, function)
     if len(circles) == 1:
         forms = common_forms(ring, circles, function, function)
@@ -205,6 +219,8 @@ def _part(ring: Ring, circles: Sequence[Circle], function: Polynomial) -> HalfCi
             base = [circle for circle in circles if circle != fiber]
             forms = common_forms(ring, base, p, q)
             return HalfCircles(ring, function, fiber, (p, q), _walls(ring, base, forms))
+    if timeout is not None:
+        return arcs(ring, circles, function, timeout)
     raise UnableError("torus_components", "a factor is linear along no circle")
 
 

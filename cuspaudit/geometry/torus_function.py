@@ -73,6 +73,10 @@ class TorusFunction:
         c, s = self._turned(points)
         return np.asarray(c @ self.even + s @ self.odd)
 
+    def __neg__(self) -> TorusFunction:
+        """-h."""
+        return TorusFunction(self.frequencies, -self.even, -self.odd)
+
     def gradient(self, points: Array) -> Array:
         """The gradients at points (..., k): (..., k)."""
         c, s = self._turned(points)
