@@ -27,7 +27,14 @@ from cuspaudit.algebra.ring import Polynomial, Ring
 from cuspaudit.algebra.trigonometric import primitive
 from cuspaudit.errors import UnableError
 
-__all__ = ["LIMITS", "GroebnerBasis", "groebner_basis", "ideal_elements", "normal_form"]
+__all__ = [
+    "LIMITS",
+    "GroebnerBasis",
+    "dimension_bound",
+    "groebner_basis",
+    "ideal_elements",
+    "normal_form",
+]
 
 Exponents = tuple[int, ...]
 
@@ -63,18 +70,8 @@ class GroebnerBasis:
 
     @property
     def dimension(self) -> int:
-        """The dimension of the zero set in C^n, -1 when it is empty.
-
-        The largest number of variables such that no leading monomial uses only these
-        [Cox, Little, O'Shea, *Ideals, Varieties, and Algorithms*, chapter 9].
-        """
-        n = len(self.ring.variables)
-        used = [{i for i, e in enumerate(lead) if e} for lead in self.leading]
-        for size in range(n, -1, -1):
-            for chosen in combinations(range(n), size):
-                if not any(support <= set(chosen) for support in used):
-                    return size
-        return -1
+        """The dimension of the zero set in C^n, -1 when it is empty."""
+        return _free_variables(len(self.ring.variables), self.leading)
 
 
 def groebner_basis(
@@ -130,6 +127,21 @@ def ideal_elements(
     return [order.from_dict(g.to_dict()) for g in elements], complete
 
 
+def dimension_bound(
+    ring: Ring,
+    polynomials: Iterable[Polynomial],
+    limits: tuple[int, int, int] = LIMITS,
+) -> tuple[int, bool]:
+    """An upper bound on the dimension of the zero set, and whether it is attained.
+
+    The leading monomials of any elements of the ideal are some of those of its basis,
+    and fewer monomials leave more variables free: a bound is known when a limit is met.
+    """
+    found, complete = ideal_elements(ring, polynomials, limits)
+    leading = [as_exponents(g.monomial(0)) for g in found]
+    return _free_variables(len(ring.variables), leading), complete
+
+
 def normal_form(
     ring: Ring, polynomial: Polynomial, divisors: Sequence[fmpq_mpoly]
 ) -> Polynomial:
@@ -167,6 +179,20 @@ def as_exponents(exponents: Iterable[SupportsInt]) -> Exponents:
 def degree_reverse_key(exponents: Exponents) -> tuple[int, Exponents]:
     """A key by which monomials sort upwards in the degree reverse order."""
     return sum(exponents), tuple(-e for e in reversed(exponents))
+
+
+def _free_variables(n: int, leading: Sequence[Exponents]) -> int:
+    """The largest number of variables with no leading monomial in these alone.
+
+    -1 when 1 is among the monomials [Cox, Little, O'Shea, *Ideals, Varieties, and
+    Algorithms*, chapter 9].
+    """
+    used = {frozenset(i for i, e in enumerate(lead) if e) for lead in leading}
+    for size in range(n, -1, -1):
+        for chosen in combinations(range(n), size):
+            if not any(support <= set(chosen) for support in used):
+                return size
+    return -1
 
 
 def _leading_key(polynomial: fmpq_mpoly) -> tuple[int, Exponents]:

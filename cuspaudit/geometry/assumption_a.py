@@ -18,7 +18,11 @@ from __future__ import annotations
 
 from itertools import combinations
 
-from cuspaudit.algebra.ideal import groebner_basis
+from cuspaudit.algebra.ideal import (
+    GroebnerBasis,
+    dimension_bound,
+    groebner_basis,
+)
 from cuspaudit.algebra.localization import with_inverse
 from cuspaudit.algebra.matrix import determinant, jacobian
 from cuspaudit.algebra.ring import Polynomial, Ring
@@ -31,6 +35,8 @@ from cuspaudit.errors import (
 from cuspaudit.geometry.real_part import check_real_part, vanishes_on
 
 __all__ = ["check_assumption_a"]
+
+_LIMITS = (1000, 2000, 4000)
 
 
 def check_assumption_a(
@@ -58,30 +64,34 @@ def check_assumption_a(
     codimension = len(ring.variables) - dimension
     if not equations and codimension == 0:
         return
-    _check_dimension(ring, equations, dimension)
-    minors = _minors(ring, jacobian(ring, equations), codimension)
-    singular = _dimension(ring, [*equations, *minors])
-    if singular == dimension:
-        raise NotRadicalError("on a component of V, where their Jacobian drops rank")
+    basis = groebner_basis(ring, equations)
+    if basis.dimension != dimension:
+        raise NotEquidimensionalError(expected=dimension, found=basis.dimension)
+    minors = _on_variety(basis, _minors(ring, jacobian(ring, equations), codimension))
+    singular = _singular_dimension(ring, [*equations, *minors], dimension)
     if len(equations) > codimension:
-        _check_more_equations(ring, equations, codimension, singular)
+        _check_more_equations(basis, equations, codimension, singular)
     positive = ring.variables[len(variety.ring.variables) :]
     check_real_part(ring, equations, minors, dimension, positive, seed)
 
 
-def _check_dimension(ring: Ring, equations: list[Polynomial], dimension: int) -> None:
-    found = _dimension(ring, equations)
-    if found != dimension:
-        raise NotEquidimensionalError(expected=dimension, found=found)
+def _singular_dimension(ring: Ring, singular: list[Polynomial], dimension: int) -> int:
+    """An upper bound, less than d, on the dimension of S; attained when it is -1."""
+    bound, complete = dimension_bound(ring, singular, _LIMITS)
+    if bound < dimension:
+        return bound
+    if complete:
+        raise NotRadicalError("on a component of V, where their Jacobian drops rank")
+    raise UnableError("check_assumption_a", "the singular set of V is too large")
 
 
 def _check_more_equations(
-    ring: Ring, equations: list[Polynomial], codimension: int, singular: int
+    basis: GroebnerBasis, equations: list[Polynomial], codimension: int, singular: int
 ) -> None:
     """Refuse or accept V given by more than c equations, or say that it is unable."""
-    rows = jacobian(ring, equations)
+    ring, rows = basis.ring, jacobian(basis.ring, equations)
     expected = len(ring.variables) - codimension
-    larger = _minors(ring, rows, codimension + 1)
+    larger = _on_variety(basis, _minors(ring, rows, codimension + 1))
     if not all(vanishes_on(ring, equations, minor) for minor in larger):
         raise NotEquidimensionalError(expected=expected, found=None)
     if _redundant(ring, equations, codimension):
@@ -129,8 +139,16 @@ def _minors(ring: Ring, rows: list[list[Polynomial]], size: int) -> list[Polynom
     return found
 
 
-def _dimension(ring: Ring, equations: list[Polynomial]) -> int:
-    return groebner_basis(ring, equations).dimension
+def _on_variety(
+    basis: GroebnerBasis, polynomials: list[Polynomial]
+) -> list[Polynomial]:
+    """The normal forms, zeros and repetitions left out: the same functions on V."""
+    found: list[Polynomial] = []
+    for polynomial in polynomials:
+        rest = basis.normal_form(polynomial)
+        if rest != 0 and rest not in found:
+            found.append(rest)
+    return found
 
 
 def _over_q(variety: PolynomialSystem) -> tuple[Ring, list[Polynomial]]:

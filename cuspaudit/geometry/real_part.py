@@ -3,7 +3,7 @@
 V = {f = 0} has dimension d everywhere, c = n - d, and h is the sum of the squares of
 the c-minors of jac f: it is 0 at the singular real points and at no other.
 
-Points are sought on random linear sections and nearest to random points; a solution
+Points are sought on random sections and nearest to random points; a solution
 set found is known exactly, so that a real point of it with h != 0 is a proof. Failing
 these, h / (1 + |x - a|^2)^k with 2k > deg h tends to 0 at infinity, and so has a
 maximum on every component of V_R - {h = 0}: when all its critical points with h != 0
@@ -21,6 +21,7 @@ from flint import fmpq
 from cuspaudit.algebra.ideal import groebner_basis
 from cuspaudit.algebra.localization import with_inverse
 from cuspaudit.algebra.matrix import determinant, jacobian
+from cuspaudit.algebra.parametrization import ZeroDimensionalParametrization
 from cuspaudit.algebra.ring import Polynomial, Ring
 from cuspaudit.algebra.system import PolynomialSystem
 from cuspaudit.algebra.zero_dimensional import solve_zero_dimensional
@@ -55,19 +56,25 @@ def check_real_part(
         UnableError: no such point was found, nor excluded.
     """
     height = ring.total(minor * minor for minor in minors)
-    if vanishes_on(ring, equations, height):
-        raise RealPartSingularError(dimension)
     chosen = random.Random(seed)
     unable = None
     for system in _searches(ring, equations, minors, dimension, chosen):
         try:
-            if _has_real_point(ring, system, height, positive):
+            found = solve_zero_dimensional(
+                PolynomialSystem(ring, tuple(system)), timeout=_SECONDS
+            )
+            if _has_real_point(ring, found, height, positive):
                 return
         except (UnableError, NotZeroDimensionalError) as error:
             unable = error
     try:
+        if vanishes_on(ring, equations, height):
+            raise RealPartSingularError(dimension)
         complete = _peaks(ring, equations, height, dimension, _point(ring, chosen))
-        if _has_real_point(ring, complete, height, positive):
+        found = solve_zero_dimensional(
+            PolynomialSystem(ring, tuple(complete)), nonzero=height, timeout=_SECONDS
+        )
+        if _has_real_point(ring, found, height, positive):
             return
     except (UnableError, NotZeroDimensionalError) as error:
         unable = error
@@ -86,6 +93,9 @@ def _searches(
     chosen: random.Random,
 ) -> Iterator[list[Polynomial]]:
     """Systems with finitely many solutions, points of V: sections, nearest points."""
+    for _ in range(_TRIES):
+        fixed = chosen.sample(ring.gens, dimension)
+        yield [*equations, *(x - fmpq(chosen.randint(-4, 4), 5) for x in fixed)]
     for _ in range(_TRIES):
         planes = [_plane(ring, chosen) for _ in range(dimension)]
         yield [*equations, *planes]
@@ -133,15 +143,14 @@ def _critical(
 
 def _has_real_point(
     ring: Ring,
-    equations: list[Polynomial],
+    found: ZeroDimensionalParametrization,
     height: Polynomial,
     positive: Sequence[str],
 ) -> bool:
-    """Whether the system has a real solution with height != 0 that counts."""
-    system = PolynomialSystem(ring, tuple(equations))
-    found = solve_zero_dimensional(system, nonzero=height, timeout=_SECONDS)
+    """Whether a real point that counts has height != 0."""
     return any(
         all(point.sign(ring.gen(name), ring) > 0 for name in positive)
+        and point.sign(height, ring) != 0
         for point in found.real_points()
     )
 
