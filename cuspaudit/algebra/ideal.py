@@ -73,6 +73,17 @@ class GroebnerBasis:
         """The dimension of the zero set in C^n, -1 when it is empty."""
         return _free_variables(len(self.ring.variables), self.leading)
 
+    def free_sets(self) -> list[tuple[str, ...]]:
+        """The sets of as many variables as the dimension, independent modulo I.
+
+        No leading monomial is in these variables alone; fixed to generic values, they
+        leave finitely many points.
+        """
+        names = self.ring.variables
+        used = [{names[i] for i, e in enumerate(m) if e} for m in self.leading]
+        chosen = combinations(names, max(self.dimension, 0))
+        return [s for s in chosen if not any(own <= set(s) for own in used)]
+
 
 def groebner_basis(
     ring: Ring,

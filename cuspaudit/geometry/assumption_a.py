@@ -72,7 +72,7 @@ def check_assumption_a(
     if len(equations) > codimension:
         _check_more_equations(basis, equations, codimension, singular)
     positive = ring.variables[len(variety.ring.variables) :]
-    check_real_part(ring, equations, minors, dimension, positive, seed)
+    check_real_part(basis, equations, minors, positive, seed)
 
 
 def _singular_dimension(ring: Ring, singular: list[Polynomial], dimension: int) -> int:

@@ -18,7 +18,7 @@ from itertools import combinations
 
 from flint import fmpq
 
-from cuspaudit.algebra.ideal import groebner_basis
+from cuspaudit.algebra.ideal import GroebnerBasis, groebner_basis
 from cuspaudit.algebra.localization import with_inverse
 from cuspaudit.algebra.matrix import determinant, jacobian
 from cuspaudit.algebra.parametrization import ZeroDimensionalParametrization
@@ -30,24 +30,24 @@ from cuspaudit.errors import NotZeroDimensionalError, RealPartSingularError, Una
 __all__ = ["check_real_part", "vanishes_on"]
 
 _TRIES = 3
-_SECONDS = 10
+_SECONDS = 5
+#: sines and cosines of rational angles among them
+_FIFTHS = (-4, -3, -1, 0, 1, 2, 3, 4)
 
 
 def check_real_part(
-    ring: Ring,
+    basis: GroebnerBasis,
     equations: list[Polynomial],
     minors: list[Polynomial],
-    dimension: int,
     positive: Sequence[str],
     seed: int,
 ) -> None:
     """Return when V has a regular real point; raise when it has none.
 
     Args:
-        ring: Q[x_1..x_n].
+        basis: of <f>.
         equations: f, whose zero set has dimension d in C^n everywhere.
         minors: the minors of size n - d of jac f, generators of its singular set.
-        dimension: d.
         positive: variables that must be positive at a point that counts: sqrt m.
         seed: of the search.
 
@@ -55,10 +55,11 @@ def check_real_part(
         RealPartSingularError: proved: every real point is singular.
         UnableError: no such point was found, nor excluded.
     """
+    ring, dimension = basis.ring, basis.dimension
     height = ring.total(minor * minor for minor in minors)
     chosen = random.Random(seed)
     unable = None
-    for system in _searches(ring, equations, minors, dimension, chosen):
+    for system in _searches(basis, equations, chosen):
         try:
             found = solve_zero_dimensional(
                 PolynomialSystem(ring, tuple(system)), timeout=_SECONDS
@@ -86,16 +87,13 @@ def check_real_part(
 
 
 def _searches(
-    ring: Ring,
-    equations: list[Polynomial],
-    minors: list[Polynomial],
-    dimension: int,
-    chosen: random.Random,
+    basis: GroebnerBasis, equations: list[Polynomial], chosen: random.Random
 ) -> Iterator[list[Polynomial]]:
     """Systems with finitely many solutions, points of V: sections, nearest points."""
+    ring, dimension, sets = basis.ring, basis.dimension, basis.free_sets()
     for _ in range(_TRIES):
-        fixed = chosen.sample(ring.gens, dimension)
-        yield [*equations, *(x - fmpq(chosen.randint(-4, 4), 5) for x in fixed)]
+        fixed = [ring.gen(name) for name in chosen.choice(sets)]
+        yield [*equations, *(x - fmpq(chosen.choice(_FIFTHS), 5) for x in fixed)]
     for _ in range(_TRIES):
         planes = [_plane(ring, chosen) for _ in range(dimension)]
         yield [*equations, *planes]

@@ -6,6 +6,7 @@ from hypothesis import strategies as st
 
 from cuspaudit.algebra.ideal import (
     degree_reverse_context,
+    dimension_bound,
     groebner_basis,
     normal_form,
 )
@@ -80,3 +81,16 @@ def test_only_rational_coefficients() -> None:
     ring = Ring(["x"], radicand=2)
     with pytest.raises(UnableError, match="sqrt2"):
         groebner_basis(ring, [ring.gens[0] - ring.surd])
+
+
+def test_the_dimension_is_bounded_by_any_elements() -> None:
+    """Stopped at three elements, the bound is at least the dimension, and says so."""
+    equations = [X**3 - Y * Z, Y**3 - X, Z**3 - X * Y]
+    bound, complete = dimension_bound(RING, equations, (3, 2000, 4000))
+    assert not complete and bound >= groebner_basis(RING, equations).dimension == 0
+    assert dimension_bound(RING, TWISTED) == (1, True)
+
+
+def test_free_sets_of_the_circle_cylinder() -> None:
+    """On {x^2 + y^2 = 1} the leading monomial is x^2: the pair without x is free."""
+    assert groebner_basis(RING, [X**2 + Y**2 - 1]).free_sets() == [("y", "z")]

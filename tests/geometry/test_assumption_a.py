@@ -124,3 +124,25 @@ def test_the_sign_of_the_square_root_matters() -> None:
     check_assumption_a(PolynomialSystem(ring, (x**2 - ring.surd * y**2 - 1,)), 1)
     with pytest.raises(RealPartSingularError):
         check_assumption_a(PolynomialSystem(ring, (x**2 + ring.surd * (y**2 + 1),)), 1)
+
+
+def test_linkages_satisfy_it() -> None:
+    """A five-bar by its loop equations (d = 2) and three joints' torus (d = 3)."""
+    ring = Ring(["c", "s", "C", "S", "x", "y"])
+    c, s, big_c, big_s, x, y = ring.gens
+    circles = (c**2 + s**2 - 1, big_c**2 + big_s**2 - 1)
+    legs = (
+        (x - c) ** 2 + (y - s) ** 2 - 3,
+        (x - 2 - big_c) ** 2 + (y - big_s) ** 2 - 3,
+    )
+    check_assumption_a(PolynomialSystem(ring, (*circles, *legs)), 2)
+    check_assumption_a(PolynomialSystem(ring, (*circles, x**2 + y**2 - 1)), 3)
+
+
+def test_a_five_bar_that_folds_flat_is_only_singular_there() -> None:
+    """Legs that can align make V singular at real points and regular at others."""
+    ring = Ring(["c", "s", "C", "S"])
+    c, s, big_c, big_s = ring.gens
+    loop = (c + 2 - big_c) ** 2 + (s - big_s) ** 2 - 4
+    circles = (c**2 + s**2 - 1, big_c**2 + big_s**2 - 1)
+    check_assumption_a(PolynomialSystem(ring, (*circles, loop)), 1)
