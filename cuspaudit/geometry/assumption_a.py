@@ -6,11 +6,11 @@ singular set of V. With c = n - d and S = V(f, c-minors of jac f):
 - *s = c equations.* If dim V = d, <f> is a complete intersection, hence unmixed
   (Macaulay); it is radical exactly when every component has a point where jac f has
   rank c, that is when dim S < d [Eisenbud, *Commutative Algebra*, theorem 18.15].
-- *More equations.* Where jac f has rank more than c, a component has dimension less
-  than d. Where a c-minor m of the rows A is not 0, V(f_A) is smooth of dimension d; V
-  is there reduced of dimension d exactly when it is open and closed in V(f_A), that is
-  when the ideal of V there is its own square. This decides V - S; where S is not
-  empty, what may be embedded in it is not decided here.
+- *More equations.* Where a c-minor m of the rows A is not 0, V(f_A) is smooth of
+  dimension d; V is there reduced of dimension d exactly when it is open and closed in
+  V(f_A), that is when the ideal of V there is its own square. This decides V - S; where
+  S is not empty, what may be embedded in it is not decided here, unless c of the
+  equations generate <f>.
 - *Real part*: `geometry.real_part`.
 """
 
@@ -32,7 +32,7 @@ from cuspaudit.errors import (
     NotRadicalError,
     UnableError,
 )
-from cuspaudit.geometry.real_part import check_real_part, vanishes_on
+from cuspaudit.geometry.real_part import check_real_part
 
 __all__ = ["check_assumption_a"]
 
@@ -91,9 +91,6 @@ def _check_more_equations(
     """Refuse or accept V given by more than c equations, or say that it is unable."""
     ring, rows = basis.ring, jacobian(basis.ring, equations)
     expected = len(ring.variables) - codimension
-    larger = _on_variety(basis, _minors(ring, rows, codimension + 1))
-    if not all(vanishes_on(ring, equations, minor) for minor in larger):
-        raise NotEquidimensionalError(expected=expected, found=None)
     if _redundant(ring, equations, codimension):
         return
     for chosen in combinations(range(len(equations)), codimension):

@@ -27,7 +27,7 @@ from cuspaudit.algebra.system import PolynomialSystem
 from cuspaudit.algebra.zero_dimensional import solve_zero_dimensional
 from cuspaudit.errors import NotZeroDimensionalError, RealPartSingularError, UnableError
 
-__all__ = ["check_real_part", "vanishes_on"]
+__all__ = ["check_real_part"]
 
 _TRIES = 3
 _SECONDS = 5
@@ -69,7 +69,7 @@ def check_real_part(
         except (UnableError, NotZeroDimensionalError) as error:
             unable = error
     try:
-        if vanishes_on(ring, equations, height):
+        if _vanishes_on(ring, equations, height):
             raise RealPartSingularError(dimension)
         complete = _peaks(ring, equations, height, dimension, _point(ring, chosen))
         found = solve_zero_dimensional(
@@ -163,7 +163,7 @@ def _point(ring: Ring, chosen: random.Random) -> list[fmpq]:
     return [fmpq(chosen.randint(-20, 20), 7) for _ in ring.gens]
 
 
-def vanishes_on(ring: Ring, equations: list[Polynomial], p: Polynomial) -> bool:
+def _vanishes_on(ring: Ring, equations: list[Polynomial], p: Polynomial) -> bool:
     """Whether p is 0 on V: 1 is in <f, v p - 1>."""
     larger, lifted = with_inverse(ring, equations, p)
     return groebner_basis(larger, lifted).dimension == -1
