@@ -2,24 +2,30 @@
 
 from cuspaudit.geometry.assumption_a import check_assumption_a
 from cuspaudit.geometry.atypical_values import atypical_values
+from cuspaudit.geometry.continuation import continue_point
 from cuspaudit.geometry.crit import crit
 from cuspaudit.geometry.cusps import cusps
 from cuspaudit.geometry.graph_connected import graph_connected
 from cuspaudit.geometry.graph_isotop import graph_isotop
 from cuspaudit.geometry.nodes import nodes
+from cuspaudit.geometry.proved_path import prove_path
 from cuspaudit.geometry.roadmap import roadmap
+from cuspaudit.geometry.routing import routing
 from cuspaudit.geometry.sample_points import sample_points
 from cuspaudit.geometry.sample_points_rational import sample_points_rational
 
 __all__ = [
     "atypical_values",
     "check_assumption_a",
+    "continue_point",
     "crit",
     "cusps",
     "graph_connected",
     "graph_isotop",
     "nodes",
+    "prove_path",
     "roadmap",
+    "routing",
     "sample_points",
     "sample_points_rational",
 ]

@@ -282,3 +282,45 @@ def test_the_ball_in_space() -> None:
     assert found.number_of_components == 2
     assert not found.connected((0, 0, 0), (5, 0, 0))
     assert found.connected((-5, 0, 0), (5, 0, 0))
+
+
+@pytest.mark.slow
+def test_the_eight_aspects_of_the_ur5() -> None:
+    """8 aspects on T^4, from 8 maxima and 16 saddles [Capco et al., ISSAC 2020].
+
+    In theta2, theta3, theta2 + theta3 + theta4, theta5 its determinant is, up to a
+    constant, s3 s5 (a2 c2 + a3 c23 + d5 sin(theta2 + theta3 + theta4)).
+    """
+    variety, (c2, s2, c3, s3, _, sp, _, s5) = circles(4)
+    a2, a3, d5 = fmpq(425, 1000), fmpq(39225, 100000), fmpq(9465, 100000)
+    E = a2 * c2 + a3 * (c2 * c3 - s2 * s3) + d5 * sp
+    found = morse_graph(variety, 4, [s3 * s5 * E])
+    assert found.number_of_components == 8
+    assert (len(found.maxima), len(found.saddles)) == (8, 16)
+
+
+@pytest.mark.slow
+def test_functions_on_tori_without_a_symmetry() -> None:
+    """On T^3 a generic function cuts two regions, on T^4 a product of two cuts four."""
+    variety, (c0, s0, c1, s1, c2, s2) = circles(3)
+    P = c0 + 2 * c1 * c2 + s0 * s1 * s2 + fmpq(1, 3)
+    assert morse_graph(variety, 3, [P]).number_of_components == 2
+    variety, (c0, _, c1, _, _, s2, _, s3) = circles(4)
+    P = (c0 + 2 * c1) * (s2 + 2 * s3)
+    assert morse_graph(variety, 4, [P]).number_of_components == 4
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", range(100))
+def test_aspects_of_random_arms(seed: int) -> None:
+    """Routing and the roadmap of the arm, which share no step, on random arms."""
+    chance = random.Random(seed)
+    a = (1, *(decimal(chance.randint(1, 30)) for _ in range(2)))
+    d = (0, *(decimal(chance.randint(-10, 10)) for _ in range(2)))
+    alpha = (chance.choice([-90, 90, 60, -60]), chance.choice([90, -90]), 0)
+    test_aspects_of_arms((a, d, alpha))
+
+
+def decimal(tenths: int) -> str:
+    """A number of tenths as a decimal."""
+    return f"{tenths / 10}"
