@@ -44,10 +44,13 @@ class Univariate:
         cls, ring: Ring, polynomial: Polynomial, name: str
     ) -> Univariate:
         """``polynomial`` of ``ring``, which may use ``name`` and sqrt m only."""
-        degree = max(polynomial.degrees()[ring.context.variable_to_index(name)], 0)
-        dense = [[fmpq(0)] * (degree + 1) for _ in range(2)]
         at = ring.context.variable_to_index(name)
-        for exponents, coefficient in ring.reduce(polynomial).to_dict().items():
+        terms = ring.reduce(polynomial).to_dict()
+        degree = max((exponents[at] for exponents in terms), default=0)
+        dense: list[list[fmpq | int]] = [[0] * (degree + 1), [0]]
+        if ring.radicand:
+            dense[1] = [0] * (degree + 1)
+        for exponents, coefficient in terms.items():
             part = exponents[-1] if ring.radicand else 0
             dense[part][exponents[at]] = coefficient
         return cls(fmpq_poly(dense[0]), fmpq_poly(dense[1]), ring.radicand)

@@ -147,7 +147,7 @@ def _generic(
     The second coordinate of each follows from its linear equation s_1 t + s_0 = 0.
     """
     ring = fibers.ring
-    gap, slope = fibers.chart_gap(), fibers.linear_factor()[0]
+    gap, slope = fibers.chart_gap(), fibers.linear_factor[0]
     polynomial = fibers.polynomial
     along_base = polynomial if fibers.separating == "x" else fibers.eliminant("x")
 

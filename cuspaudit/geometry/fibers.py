@@ -10,6 +10,7 @@ so the other coordinate is a rational function of the root.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 from cuspaudit.algebra.elimination import (
     discriminant,
@@ -45,7 +46,7 @@ class FiberPolynomials:
     polynomial: Polynomial
     discriminant: Polynomial
 
-    @property
+    @cached_property
     def ring(self) -> Ring:
         """K[y, x, u, v]."""
         return self.surface.chart_ring
@@ -59,6 +60,7 @@ class FiberPolynomials:
         """A polynomial of K[name, u, v] that vanishes on every posture."""
         return _eliminant(self.ring, self.equations, name)
 
+    @cached_property
     def linear_factor(self) -> tuple[Polynomial, Polynomial]:
         """(s_1, s_0) with s_1 t + s_0 = 0 for the other coordinate t of a posture.
 

@@ -110,7 +110,7 @@ def sample_points(fibers: FiberPolynomials, value: tuple[fmpq, fmpq]) -> Fiber:
         return Univariate.from_polynomial(ring, ring.substitute(polynomial, at), name)
 
     polynomial = specialise(fibers.polynomial)
-    s1, s0 = (specialise(p) for p in fibers.linear_factor())
+    s1, s0 = (specialise(p) for p in fibers.linear_factor)
     count = len(isolated_real_roots(polynomial))
     postures = (Posture(fibers, polynomial, (s1, s0), i) for i in range(count))
     return Fiber(value, polynomial, tuple(postures))

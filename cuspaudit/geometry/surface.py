@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Literal
 
 from flint import arb, fmpq
@@ -76,7 +77,7 @@ class Surface:
     fiber: Factor
     base: Factor
 
-    @property
+    @cached_property
     def chart_ring(self) -> Ring:
         """K[y, x, u, v]: chart coordinates, then the coordinates of the values."""
         return Ring(("y", "x", "u", "v"), self.ring.radicand)
