@@ -13,7 +13,7 @@ from cuspaudit.algebra.trigonometric import factor_on_circles
 from cuspaudit.audit.answer import Answer, Undecided, answer
 from cuspaudit.audit.crosscheck import CrossCheck, crosscheck
 from cuspaudit.audit.pinocchio_model import is_readable
-from cuspaudit.audit.six_joint_witness import needs_search, searched
+from cuspaudit.audit.six_joint_witness import HAIR_POSES, needs_search, searched
 from cuspaudit.audit.versions import versions
 from cuspaudit.audit.witness import Witness, find_witness
 from cuspaudit.cuspidality.verdict import Verdict
@@ -67,6 +67,7 @@ class Audit:
         verdict: the verdict.
         witness: present exactly when the verdict is CUSPIDAL.
         literal: the verdict for the literal chain.
+        literal_witness: proves it CUSPIDAL where ``witness`` is not for that chain.
         check: the comparison with Pinocchio.
         seconds: time of each stage.
         seed: of the random choices.
@@ -86,6 +87,7 @@ class Audit:
     seed: int
     locked: Mapping[str, str]
     policy: SnapPolicy = DEFAULT_POLICY
+    literal_witness: Witness | None = None
 
     def record(self, certificate: str | None = None) -> dict[str, Any]:
         """The audit as JSON, schema ``cuspaudit/audit/1``.
@@ -109,6 +111,7 @@ class Audit:
                 "nodes_proved": answer.nodes.proved if answer.nodes else None,
             },
             "witness": self._witness(certificate),
+            "literal_witness": self._literal_witness(),
             "models": {"literal": self.literal.value, "snapped": self.verdict.value},
             "limits": None,
             "crosscheck": asdict(self.check),
@@ -178,15 +181,13 @@ class Audit:
     def _witness(self, certificate: str | None) -> dict[str, Any] | None:
         if self.witness is None:
             return None
-        path = [[float(v) for v in row] for row in self.witness.path]
-        return {
-            "sign": self.witness.sign,
-            "postures": [path[0], path[-1]],
-            "path": path,
-            "clearance": self.witness.clearance,
-            "model": "literal" if self._is_literal else "snapped",
-            "certificate": certificate,
-        }
+        model = "literal" if self._is_literal else "snapped"
+        return _shown(self.witness, model, certificate)
+
+    def _literal_witness(self) -> dict[str, Any] | None:
+        if self.literal_witness is None:
+            return None
+        return _shown(self.literal_witness, "literal", None)
 
 
 def audit(robot: Robot, options: Options | None = None) -> Audit:
@@ -210,7 +211,7 @@ def audit(robot: Robot, options: Options | None = None) -> Audit:
         if needs_search(found):
             found, witness = searched(found, robot.chain, options.seed, clock.step)
     with clock.stage("literal"):
-        literal = _literal(robot.chain, found, witness, options.seed, clock)
+        literal, proof = _literal(robot.chain, found, witness, options.seed, clock)
     with clock.stage("crosscheck"):
         clock.step("crosscheck", always=True)
         check = _check(robot, found, snapped, witness, options)
@@ -227,6 +228,7 @@ def audit(robot: Robot, options: Options | None = None) -> Audit:
         options.seed,
         options.locked or {},
         options.snap,
+        proof,
     )
 
 
@@ -299,27 +301,27 @@ def _certify(
 
 def _literal(
     literal: Chain, found: Answer, witness: Witness | None, seed: int, clock: _Clock
-) -> Verdict:
-    """The verdict for the numbers exactly as the file has them.
+) -> tuple[Verdict, Witness | None]:
+    """The verdict for the numbers exactly as the file has them, and its own witness.
 
     CUSPIDAL with a certificate for them; NONCUSPIDAL only if their model is exact,
     because a structure that holds to 1e-12 rad may hold for the model alone.
     """
     if witness is not None and witness.chain == literal:
-        return Verdict.CUSPIDAL
+        return Verdict.CUSPIDAL, None
+    proof = None
     try:
-        if literal == found.model.chain:
-            return found.verdict if found.model.is_exact else Verdict.UNDECIDED
-        other = answer(exact_model(literal), clock.step)
+        same = literal == found.model.chain
+        other = found if same else answer(exact_model(literal), clock.step)
         if other.verdict is Verdict.CUSPIDAL:
-            find_witness(other, literal)
-        elif needs_search(other) and found.verdict is not Verdict.NONCUSPIDAL:
-            other, _ = searched(other, literal, seed, clock.step)
+            proof = find_witness(other, literal)
+        elif needs_search(other) and not same:
+            other, proof = searched(other, literal, seed, clock.step, HAIR_POSES)
     except (UnableError, AssumptionError):
-        return Verdict.UNDECIDED
+        return Verdict.UNDECIDED, None
     if other.verdict is Verdict.NONCUSPIDAL and not other.model.is_exact:
-        return Verdict.UNDECIDED
-    return other.verdict
+        return Verdict.UNDECIDED, None
+    return other.verdict, proof
 
 
 def _check(
@@ -349,6 +351,18 @@ def _determinant(found: Answer) -> dict[str, Any]:
     return {
         "determinant": str(determinant),
         "factors": [f"({p})^{n}" if n > 1 else str(p) for p, n in factors],
+    }
+
+
+def _shown(witness: Witness, model: str, certificate: str | None) -> dict[str, Any]:
+    path = [[float(v) for v in row] for row in witness.path]
+    return {
+        "sign": witness.sign,
+        "postures": [path[0], path[-1]],
+        "path": path,
+        "clearance": witness.clearance,
+        "model": model,
+        "certificate": certificate,
     }
 
 

@@ -13,7 +13,11 @@ from cuspaudit.errors import RetryableError
 from cuspaudit.geometry.cusps import Count
 from cuspaudit.kinematics.chain import Chain
 
-__all__ = ["Searched", "needs_search", "search_witness", "searched"]
+__all__ = ["HAIR_POSES", "Searched", "needs_search", "search_witness", "searched"]
+
+MOST = 192
+HAIR_POSES = 64
+"""Random poses for an arm that rounding alone may have made cuspidal."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -45,7 +49,7 @@ def needs_search(found: Answer) -> bool:
 
 
 def searched(
-    found: Answer, literal: Chain, seed: int, progress: Progress
+    found: Answer, literal: Chain, seed: int, progress: Progress, most: int = MOST
 ) -> tuple[Answer, Witness | None]:
     """CUSPIDAL with a witness proved for the model's numbers, or what was tried.
 
@@ -55,10 +59,11 @@ def searched(
             the same path is one, else for the chain of the model.
         seed: of every random choice.
         progress: called with each step; an UnableError it raises ends the search.
+        most: random poses to be tried.
     """
     assert found.undecided is not None
     chain = found.model.chain
-    result = search_witness(chain, seed, progress)
+    result = search_witness(chain, seed, progress, most)
     if result.witness is None:
         why = f"{found.undecided.why}, and no witness was met in a search"
         reason = replace(found.undecided, why=why, search=result.record)
@@ -85,7 +90,7 @@ def search_witness(
     chain: Chain,
     seed: int = 0,
     progress: Progress = lambda step: None,
-    most: int = 192,
+    most: int = MOST,
 ) -> Searched:
     """Search, and prove the widest path that can be proved.
 

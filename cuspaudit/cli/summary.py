@@ -12,6 +12,7 @@ from rich.text import Text
 
 __all__ = ["print_summary", "print_understood"]
 
+_LONGEST_FACTOR = 600
 COLOUR = {"cuspidal": "bold red", "noncuspidal": "bold green", "undecided": "yellow"}
 
 
@@ -28,7 +29,8 @@ def print_summary(record: Mapping[str, Any], files: Mapping[str, Any]) -> None:
         "verdict": f"[{COLOUR[verdict]}]{verdict}[/]",
         "why": proof["why"],
         "proof": ", ".join([proof["kind"], *proof["rests_on"]]),
-        "literal": f"{models['literal']} for the numbers exactly as the file has them",
+        "literal": f"{models['literal']} for the numbers exactly as the file has them"
+        + _hair(record.get("literal_witness")),
         "snapped": f"{len(robot['snapped'])} numbers; see `cuspaudit import`"
         if robot["snapped"]
         else None,
@@ -36,7 +38,7 @@ def print_summary(record: Mapping[str, Any], files: Mapping[str, Any]) -> None:
         "postures": _count(record["postures"]["max"], record["postures"]["proved"]),
         "cusps": _count(singular["cusps"], singular["cusps_proved"]),
         "nodes": _count(singular["nodes"], singular["nodes_proved"]),
-        "det J": " · ".join(f"({f})" for f in singular["factors"]),
+        "det J": " · ".join(_factor(f) for f in singular["factors"]),
         "cross-check": _check_line(record["crosscheck"]),
         "settled by": (record["undecided"] or {}).get("would_settle"),
     }
@@ -50,6 +52,20 @@ def print_summary(record: Mapping[str, Any], files: Mapping[str, Any]) -> None:
             text = Text.from_markup(str(value)) if markup else Text(str(value))
             table.add_row(Text(name, style="dim"), text)
     console.print(table)
+
+
+def _hair(witness: Mapping[str, Any] | None) -> str:
+    """How little, when the numbers of the file have a witness of their own."""
+    if witness is None or witness["clearance"] is None:
+        return ""
+    return f", with clearance {witness['clearance']:.1e}"
+
+
+def _factor(text: str) -> str:
+    """A factor in brackets, or its size where it would fill the screen."""
+    if len(text) <= _LONGEST_FACTOR:
+        return f"({text})"
+    return f"({text.count(' + ') + text.count(' - ') + 1} terms)"
 
 
 def _count(value: int | None, proved: bool | None) -> str | None:

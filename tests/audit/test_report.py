@@ -19,7 +19,7 @@ from cuspaudit.audit.report import SCHEMA, Audit, Options, audit
 from cuspaudit.certificate import verify
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import DegenerateMapError, UnableError
-from cuspaudit.kinematics.chain import Angle
+from cuspaudit.kinematics.chain import X_AXIS, Angle, Rotation
 from cuspaudit.kinematics.robot import Robot
 
 #: the keys of INTERFACE, "The audit as JSON"; each is always there
@@ -27,7 +27,7 @@ KEYS: dict[str, set[str]] = {
     "": {
         *("schema", "robot", "verdict", "proof", "aspects", "postures", "singular"),
         *("witness", "models", "limits", "crosscheck", "undecided", "seconds"),
-        *("versions", "seed"),
+        *("versions", "seed", "literal_witness"),
     },
     "robot": {"name", "file", "joints", "base", "tip", "task", "exact", "snapped"},
     "proof": {"kind", "engine", "reduction", "rests_on", "why"},
@@ -244,6 +244,29 @@ def test_a_snapped_robot_has_two_models() -> None:
     assert record["robot"]["snapped"][0]["used"] == "-pi/2"
     assert record["models"] == {"literal": "cuspidal", "snapped": "cuspidal"}
     assert record["witness"]["model"] == "literal"
+
+
+@pytest.mark.slow
+def test_a_hair_between_the_literal_and_the_snapped_model() -> None:
+    """3.1416 for pi between parallel axes: noncuspidal as meant, cuspidal as written.
+
+    The clearance of the literal witness, proved, tells a hair from a hazard.
+    """
+    lengths = ((0, "-.28", "-.24", 0, 0, 0), (".1", 0, 0, ".1", ".1", 0))
+    chain = arm(*lengths, (90, 0, 0, 90, -90, 0))
+    twists = {1: "3.1416", 2: "-3.1416"}
+    joints = list(chain.joints)
+    for k, text in twists.items():
+        flip = Rotation(X_AXIS, Angle(radians=Fraction(text)), "alpha")
+        joints[k + 1] = replace(joints[k + 1], before=(*joints[k + 1].before, flip))
+    found = audit(Robot("rounded", "rounded.yaml", chain.with_joints(joints)))
+    record = found.record()
+    jsonschema.validate(json.loads(json.dumps(record)), _schema())
+    assert record["models"] == {"literal": "cuspidal", "snapped": "noncuspidal"}
+    assert record["witness"] is None
+    assert 0 < record["literal_witness"]["clearance"] < 1e-4
+    assert found.literal_witness is not None
+    assert verify(found.literal_witness.certificate).accepted
 
 
 def _rough(angle: Angle) -> Any:
