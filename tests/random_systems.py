@@ -11,7 +11,7 @@ from cuspaudit.algebra.system import PolynomialMap, PolynomialSystem
 
 __all__ = ["KINDS", "random_system"]
 
-KINDS = ("line", "curve", "plane", "graph", "quadric", "torus", "space")
+KINDS = ("line", "curve", "plane", "graph", "quadric", "space")
 
 
 def random_system(kind: str, seed: int) -> tuple[PolynomialSystem, PolynomialMap]:
@@ -20,8 +20,8 @@ def random_system(kind: str, seed: int) -> tuple[PolynomialSystem, PolynomialMap
     Args:
         kind: "line", polynomials on R; "curve", conics and cubics with a form;
             "plane", pairs of quadratic polynomials; "graph", (p, y) with a cubic p;
-            "quadric", quadric surfaces with two forms of degree 1 or 2; "torus", two
-            circles with bilinear maps; "space", (p, y, z) with a quadratic p.
+            "quadric", quadric surfaces with two forms of degree 1 or 2; "space",
+            (p, y, z) with a quadratic p.
         seed: any integer.
     """
     chance = random.Random(f"{kind} {seed}")
@@ -31,7 +31,6 @@ def random_system(kind: str, seed: int) -> tuple[PolynomialSystem, PolynomialMap
         "plane": _plane,
         "graph": _graph,
         "quadric": _quadric,
-        "torus": _torus,
         "space": _space,
     }[kind](chance)
 
@@ -85,16 +84,6 @@ def _quadric(chance: random.Random) -> tuple[PolynomialSystem, PolynomialMap]:
     second = _polynomial(chance, ring, 2, 0.3) if chance.random() < 0.3 else z + y
     components = (_form(chance, ring), second)
     return PolynomialSystem(ring, (f,)), PolynomialMap(ring, components)
-
-
-def _torus(chance: random.Random) -> tuple[PolynomialSystem, PolynomialMap]:
-    ring = Ring(["c", "s", "e", "t"])
-    c, s, e, t = ring.gens
-    circles = (c * c + s * s - 1, e * e + t * t - 1)
-    r = [chance.randint(-2, 2) for _ in range(6)]
-    u = c * (r[0] * e + r[1]) + s * (r[2] * t + 1) + r[3] * t
-    v = s * (r[4] * e + 3) + r[5] * c + e
-    return PolynomialSystem(ring, circles), PolynomialMap(ring, (u, v))
 
 
 def _space(chance: random.Random) -> tuple[PolynomialSystem, PolynomialMap]:

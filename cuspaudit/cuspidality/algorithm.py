@@ -39,7 +39,7 @@ from cuspaudit.geometry.open_cells import open_cells
 from cuspaudit.geometry.routing import routing
 from cuspaudit.geometry.sheet_roadmap import sheet_roadmap
 
-__all__ = ["ENGINES", "AlgorithmRun", "FiberCouple", "decide_map"]
+__all__ = ["ENGINES", "AlgorithmRun", "FiberCouple", "decide_map", "points_over"]
 
 Engine = Literal["auto", "roadmap", "routing"]
 ENGINES: tuple[Engine, ...] = ("auto", "roadmap", "routing")
@@ -181,13 +181,16 @@ def _prepare(run: AlgorithmRun, steps: Steps, seed: int) -> None:
     cells = open_cells(fiber.ring, run.atypical, fiber.values)
     steps.begin("sample_points")
     for value in cells.samples.values():
-        run.samples[value] = _fiber(fiber, value).real_points()
+        run.samples[value] = points_over(fiber, value).real_points()
 
 
-def _fiber(
+def points_over(
     fiber: GenericFiber, value: tuple[fmpq, ...]
 ) -> ZeroDimensionalParametrization:
-    """The points over a value with lc disc != 0; complete by `generic_fiber`."""
+    """The points of V over a value with lc disc != 0 (the paper's P_q).
+
+    Complete by the theorem of `geometry.generic_fiber`.
+    """
     omega, rho = fiber.over(value)
     leading = omega[omega.degree()]
     return ZeroDimensionalParametrization(

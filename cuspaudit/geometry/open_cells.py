@@ -16,11 +16,16 @@ level k touch over alpha; in every gap between the zeros of the next level over 
 Complete up to codimension 2: the zeros of all levels form a hypersurface; a path in
 R^d, moved a little, avoids its parts of codimension 2 and crosses the rest one zero at
 a time; such a crossing over alpha of level k can be moved along the zero, over the cell
-below and within the gaps above, to the chosen one.
+below and within the gaps above, to the chosen one, because the gaps above do not change
+along the zero S: a polynomial of a higher level is delineable over S when its
+discriminant has constant order on S and its degree is constant there [McCallum 1988,
+theorem 2]. The first holds, discriminants being projected. For the second a factor p of
+the leading coefficient brings along the first coefficient that p does not divide.
 """
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
@@ -154,10 +159,22 @@ def _levels(
 ) -> tuple[tuple[Polynomial, ...], ...]:
     levels: list[tuple[Polynomial, ...]] = []
     rest = list(polynomials)
-    for name in reversed(variables):
-        levels.append(tuple(p for p in rest if p.derivative(name) != 0))
-        rest = square_free_factors(ring, project(ring, rest, name))
+    for k, name in reversed(list(enumerate(variables))):
+        own = [p for p in rest if p.derivative(name) != 0]
+        levels.append(tuple(own))
+        projected = project(ring, rest, name)
+        if k > 1:  # over a zero of the first level, a point, degrees are constant
+            projected += [c for p in own for c in _after_drops(ring, p, name)]
+        rest = square_free_factors(ring, projected)
     return tuple(reversed(levels))
+
+
+def _after_drops(ring: Ring, p: Polynomial, name: str) -> Iterator[Polynomial]:
+    """The coefficients that lead ``p`` where factors of its leading one vanish."""
+    (_, leading), *lower = sorted(ring.coefficients(p, [name]).items(), reverse=True)
+    for factor in square_free_factors(ring, [leading]):
+        rest = (c for _, c in lower if divmod(c, factor)[1] != 0)
+        yield from itertools.islice(rest, 1)
 
 
 @dataclass(frozen=True)
