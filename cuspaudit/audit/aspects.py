@@ -1,9 +1,10 @@
 """The aspects of a six-joint arm, counted exactly and told apart.
 
 det J depends on joints 2 to 5 only, so the aspects of the arm are the components of
-{det J != 0} on their torus, times the circles of the first and the last joint. Where
-axes 2 and 3, or 4 and 5, are parallel, det J is linear along a circle, and
-``geometry.torus_components`` counts them by a theorem.
+{det J != 0} on their torus, times the circles of the first and the last joint. For
+almost every industrial arm det J, or each factor of it, is linear along the circle of
+joint 2 or 5, and ``geometry.torus_components`` counts them by a theorem, in
+milliseconds. Otherwise covers with boxes count them, in seconds to minutes.
 """
 
 from __future__ import annotations
@@ -17,15 +18,23 @@ from cuspaudit.kinematics.polynomial_map import jacobian_determinant
 __all__ = ["aspect_components", "count_aspects", "revolute_circles"]
 
 
-def aspect_components(model: ExactModel) -> TorusComponents:
+def aspect_components(
+    model: ExactModel, timeout: float | None = None
+) -> TorusComponents:
     """The aspects of an arm with revolute joints and a square task.
+
+    Args:
+        model: the arm.
+        timeout: of each cover, in seconds of processor time; None for no covers.
 
     Raises:
         DegenerateMapError: det J vanishes identically.
-        UnableError: det J is linear along no circle, or a joint is prismatic.
+        UnableError: det J is linear along no circle and no cover settles it, or a
+            joint is prismatic.
     """
     circles = revolute_circles(model)
-    return torus_components(model.ring, circles, jacobian_determinant(model))
+    determinant = jacobian_determinant(model)
+    return torus_components(model.ring, circles, determinant, timeout)
 
 
 def revolute_circles(model: ExactModel) -> list[tuple[str, str]]:
@@ -43,9 +52,9 @@ def revolute_circles(model: ExactModel) -> list[tuple[str, str]]:
     return circles
 
 
-def count_aspects(model: ExactModel) -> Count | None:
+def count_aspects(model: ExactModel, timeout: float | None = None) -> Count | None:
     """The number of aspects, proved; None where ``aspect_components`` is unable."""
     try:
-        return Count(aspect_components(model).number_of_components, True)
+        return Count(aspect_components(model, timeout).number_of_components, True)
     except UnableError:
         return None
