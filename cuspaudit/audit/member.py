@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import math
 import time
+from contextlib import suppress
 from typing import Any
 
 from cuspaudit.audit.answer import Answer, answer
 from cuspaudit.cuspidality.verdict import Verdict
-from cuspaudit.errors import CuspauditError, UnableError
+from cuspaudit.errors import CuspauditError, InvalidRobotError, UnableError
 from cuspaudit.geometry.cusps import Count
 from cuspaudit.kinematics.chain import Angle, Chain
 from cuspaudit.kinematics.exact_model import exact_model
@@ -86,8 +87,12 @@ def _clearance(found: Answer, chain: Chain) -> float | None:
 
 
 def _parameters(family: Family, index: int) -> Row:
+    """The numbers of a member; without derived ones where one has no value."""
+    values = family.values(index) or {}
+    with suppress(InvalidRobotError):
+        values = family.known(values)
     row: Row = {"index": index}
-    for name, value in (family.values(index) or {}).items():
+    for name, value in values.items():
         row[name] = _float(value)
         row[f"{name}_exact"] = exact_text(value)
     return row

@@ -218,9 +218,8 @@ def read_rows(folder: Path) -> list[Row]:
 
 def _schema(family: Family, about: dict[str, Any]) -> pa.Schema:
     fields = [("index", pa.int64())]
-    for parameter in family.parameters:
-        fields += [(parameter.name, pa.float64())]
-        fields += [(f"{parameter.name}_exact", pa.string())]
+    for name in (*(p.name for p in family.parameters), *family.derived):
+        fields += [(name, pa.float64()), (f"{name}_exact", pa.string())]
     fields += [("verdict", pa.string()), ("proof", pa.string()), ("exact", pa.bool_())]
     fields += [(name, _TYPES[name]) for name in family.record]
     fields += [("seconds", pa.float64()), ("why", pa.string()), ("error", pa.string())]

@@ -5,13 +5,14 @@
     family: orthogonal-3r
     robot: {convention: standard, joints: [{type: revolute, a: a2, ...}, ...]}
     parameters: {a2: {range: [0.2, 3], steps: 15}, d2: {values: [1/2, 1]}}
-    constraints: ["a3 <= a2 + 3"]
+    derived: {reach: a2 + a3}
+    constraints: ["a3 <= a2 + 3", reach > 1]
     adaptive: {parameters: [a2, a3], levels: 3, on: verdict}
     record: [cusps, nodes, aspects, max_postures]
     seed: 0
 
-The numbers of the robot are those of a robot file, or expressions in the parameters
-(`expressions`); parsed, never evaluated. A sweep adds a ``provenance``, which is not
+The numbers of the robot are those of a robot file, or expressions in the parameters and
+the derived names (`expressions`); parsed, never evaluated. A sweep adds a ``provenance``, which is not
 part of the family.
 """
 
@@ -41,7 +42,7 @@ _RESERVED = {
     *("index", "verdict", "proof", "exact", "seconds", "error"),
 }
 _KEYS = (
-    *("family", "robot", "parameters", "constraints", "adaptive"),
+    *("family", "robot", "parameters", "derived", "constraints", "adaptive"),
     *("record", "seed", "title", "source", "provenance"),
 )
 _CELLS = ("a", "alpha", "d", "theta", "qmin", "qmax")
@@ -66,7 +67,8 @@ def read_family(path: Path) -> Family:
     table = table_from_mapping(robot, place.at("robot"))
     seed = parse_whole(entries, "seed", place) if "seed" in entries else 0
     parameters = _parameters(entries.get("parameters"), seed, place.at("parameters"))
-    known = {p.name for p in parameters}
+    derived = _derived(entries.get("derived"), parameters, place.at("derived"))
+    known = {p.name for p in parameters} | set(derived)
     cells = _cells(table, known, place)
     conditions = _conditions(entries.get("constraints"), known, place.at("constraints"))
     record = _listed(entries.get("record"), RECORDED, place.at("record"))
@@ -87,6 +89,7 @@ def read_family(path: Path) -> Family:
         text=text,
         hash=hashlib.sha256(text.encode()).hexdigest(),
         parameters=parameters,
+        derived=derived,
         constraints=conditions,
         record=wanted,
         seed=seed,
@@ -123,13 +126,43 @@ def _parameters(entry: object, seed: int, place: Place) -> tuple[Parameter, ...]
         raise place.error("no parameters", "write a2: {range: [0.2, 3], steps: 15}")
     found = []
     for name, line in entry.items():
-        here = place.at(name if NAME.fullmatch(name) else quoted(name))
-        if not NAME.fullmatch(name) or name in _RESERVED or name.endswith("_exact"):
-            raise here.error("not free as a name", "write a word such as a2 or length")
+        here = _free_name(name, place)
         found.append(parse_parameter(name, line, seed, here))
     if len({p.size for p in found if p.seed is not None}) > 1:
         raise place.error("random parameters of different count", "give all one count")
     return tuple(found)
+
+
+def _derived(
+    entry: object, parameters: tuple[Parameter, ...], place: Place
+) -> dict[str, Expression]:
+    """Expressions in the parameters and in the names before them."""
+    if entry in (None, "", "null"):
+        return {}
+    if not isinstance(entry, Mapping):
+        raise place.error("no mapping", "write {reach: a2 + a3}")
+    known = {p.name for p in parameters}
+    found = {}
+    for name, text in entry.items():
+        here = _free_name(name, place)
+        if name in known or not isinstance(text, str):
+            raise here.error("no new name with an expression", "write reach: a2 + a3")
+        found[name] = parse_expression(text, here)
+        _check_names(found[name].names, known, here)
+        known.add(name)
+    return found
+
+
+def _free_name(name: str, place: Place) -> Place:
+    """Where ``name`` stands, when it may be a name.
+
+    Raises:
+        InvalidRobotError: it is no word, or has a meaning already.
+    """
+    here = place.at(name if NAME.fullmatch(name) else quoted(name))
+    if not NAME.fullmatch(name) or name in _RESERVED or name.endswith("_exact"):
+        raise here.error("not free as a name", "write a word such as a2 or length")
+    return here
 
 
 def _cells(
@@ -164,14 +197,14 @@ def _conditions(entry: object, known: set[str], place: Place) -> tuple[Condition
 
 
 def _check_names(names: frozenset[str], known: set[str], place: Place) -> None:
-    """Check that every name is one of the parameters.
+    """Check that every name is a parameter or derived from them.
 
     Raises:
         InvalidRobotError: one is not.
     """
     for name in sorted(names - known):
-        found = f"the name {quoted(name)} is no parameter"
-        raise place.error(found, f"the parameters are {listing(sorted(known))}")
+        found = f"the name {quoted(name)} is no parameter and not derived above"
+        raise place.error(found, f"the names are {listing(sorted(known))}")
 
 
 def _listed(

@@ -12,6 +12,7 @@ from functools import cached_property
 from math import prod
 from pathlib import Path
 
+from cuspaudit.errors import InvalidRobotError
 from cuspaudit.kinematics.chain import Angle
 from cuspaudit.kinematics.conditions import Condition
 from cuspaudit.kinematics.dh import robot_from_table
@@ -51,6 +52,7 @@ class Family:
         text: what the file says, as JSON.
         hash: of ``text``, so that comments and spaces do not count.
         parameters: in the order of the file; those of ``adaptive`` at full sharpness.
+        derived: names computed from the parameters and from the names before them.
         constraints: all hold for a member.
         record: the columns wanted beside verdict and proof.
         seed: of the random parameters.
@@ -64,6 +66,7 @@ class Family:
     text: str
     hash: str
     parameters: tuple[Parameter, ...]
+    derived: Mapping[str, Expression]
     constraints: tuple[Condition, ...]
     record: tuple[str, ...]
     seed: int
@@ -93,34 +96,40 @@ class Family:
     def values(self, index: int) -> dict[str, Value] | None:
         """The values of the parameters of a member; None when it is excluded.
 
-        Raises:
-            InvalidRobotError: a constraint cannot be compared.
+        Where a constraint cannot be compared there is a member, without a robot.
         """
-        point = []
-        for size in reversed(self.shape):
-            index, number = divmod(index, size)
-            point.append(number)
-        point.reverse()
-        grid = iter(point)
-        values = {
-            p.name: p.value(next(grid) if p.seed is None else point[-1])
-            for p in self.parameters
-        }
-        return values if all(c.holds(values) for c in self.constraints) else None
+        values = self._at(index)
+        try:
+            held = self._holds(values)
+        except InvalidRobotError:
+            held = True
+        return values if held else None
+
+    def known(self, values: Mapping[str, Value]) -> dict[str, Value]:
+        """``values`` of the parameters, and those of the derived names.
+
+        Raises:
+            InvalidRobotError: an expression has no value there.
+        """
+        known = dict(values)
+        for name, expression in self.derived.items():
+            known[name] = expression.value(known)
+        return known
 
     def indices(self) -> Iterator[int]:
         """The indices of all members, in order, one at a time."""
         return (k for k in range(self.size) if self.values(k) is not None)
 
     def table(self, values: Mapping[str, Value]) -> Table:
-        """The robot file of a member: every expression replaced by its exact text.
+        """The robot file at ``values`` of the parameters: every number as exact text.
 
         Raises:
             InvalidRobotError: an expression has no value there.
         """
+        known = self.known(values)
         rows = [dict(row) for row in self.rows.rows]
         for (number, column, part), expression in self.cells.items():
-            text = exact_text(expression.value(values))
+            text = exact_text(expression.value(known))
             if column == "limits":
                 pair = list(rows[number]["limits"])  # type: ignore[call-overload] # a list, see cells
                 pair[part] = text
@@ -133,14 +142,33 @@ class Family:
         """The robot of a member, its numbers exactly as the family gives them.
 
         Raises:
-            InvalidRobotError: it cannot be read, or its joints do not fit its task.
+            InvalidRobotError: it cannot be read, its joints do not fit its task, or a
+                constraint cannot be compared.
         """
-        values = self.values(index)
-        if values is None:
+        values = self._at(index)
+        if not self._holds(values):
             raise Place(self.file).error(f"{index} is excluded", "name a member")
         robot = robot_from_table(self.table(values), Path(self.file))
         check_task(robot.chain, self.file)
         return robot
+
+    def _at(self, index: int) -> dict[str, Value]:
+        point = []
+        for size in reversed(self.shape):
+            index, number = divmod(index, size)
+            point.append(number)
+        point.reverse()
+        grid = iter(point)
+        return {
+            p.name: p.value(next(grid) if p.seed is None else point[-1])
+            for p in self.parameters
+        }
+
+    def _holds(self, values: Mapping[str, Value]) -> bool:
+        if not self.constraints:
+            return True
+        known = self.known(values)
+        return all(condition.holds(known) for condition in self.constraints)
 
 
 def exact_text(value: Value) -> str:

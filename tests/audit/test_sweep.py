@@ -83,6 +83,23 @@ def test_a_bad_member_is_a_row(write: Callable[..., Path], tmp_path: Path) -> No
     assert (again.kept, again.added) == (4, 0)
 
 
+def test_derived_numbers_are_columns(
+    write: Callable[..., Path], tmp_path: Path
+) -> None:
+    """A derived number stands in the table; a member without one is an error row."""
+    text = families.ORTHOGONAL.replace("a: a3", "a: outer")
+    file = write(
+        text + "parameters: {a2: {values: [2, 1]}, d2: {values: [1]}}\n"
+        "derived: {outer: 3/2/(a2 - 1)}\n"
+    )
+    sweep(file, tmp_path / "out", 1)
+    good, bad = families.table(tmp_path / "out")
+    assert (good["outer"], good["outer_exact"]) == (1.5, "1.5")
+    assert (good["verdict"], good["cusps"]) == ("cuspidal", 4)
+    assert (bad["a2"], bad["outer"], bad["verdict"]) == (1.0, None, None)
+    assert "divides by zero" in str(bad["error"])
+
+
 def test_the_table_says_where_it_is_from(
     write: Callable[..., Path], tmp_path: Path
 ) -> None:

@@ -98,6 +98,33 @@ def test_angles_are_parameters_too(tmp_path: Path) -> None:
     assert texts == {"-pi/6", "-pi/3", "-pi/2"}
 
 
+def test_derived_names_follow_from_the_parameters(tmp_path: Path) -> None:
+    """A derived name is exact, may use those above it, and serves rows and limits."""
+    text = ROBOT.replace('"(a2 + a3)/2"', "half").replace("d: 0}", "d: gap}")
+    lines = "derived: {half: (a2 + a3)/2, gap: half - a2/2}\nconstraints: [gap <= 1]\n"
+    some = family(tmp_path, text + GRID + lines)
+    values = some.values(3)
+    assert values is not None and set(values) == {"a2", "a3", "d2"}
+    assert some.known(values) == values | {
+        "half": Fraction(3, 10),
+        "gap": Fraction(1, 5),
+    }
+    rows = some.table(values).rows
+    assert [row["a"] for row in rows] == ["1", "0.2", "0.3"]
+    assert [row["d"] for row in rows] == ["0.2", "1", "0.2"]
+    admitted = [some.values(k) for k in some.indices()]
+    assert 0 < len(admitted) < some.size
+    assert all(v and v["a3"] <= 2 for v in admitted)  # type: ignore[operator]
+
+
+def test_a_constraint_without_value_leaves_a_member(tmp_path: Path) -> None:
+    """Where a constraint divides by zero there is a member, and its robot says why."""
+    some = family(tmp_path, ROBOT + GRID + 'constraints: ["1/(a2 - 3) < 0"]\n')
+    assert len(list(some.indices())) == some.size
+    with pytest.raises(InvalidRobotError, match="divides by zero"):
+        some.robot(some.size - 1)
+
+
 def test_a_family_is_read_lazily_and_travels(tmp_path: Path) -> None:
     """A billion members cost nothing to read, and the family can be sent away."""
     text = GRID.replace("steps: 15", "steps: 30000")
@@ -120,6 +147,11 @@ def test_the_hash_is_of_what_is_said(tmp_path: Path) -> None:
     [
         ("a: a2,", "a: a4 + a2,", '"a4" is no parameter'),
         ("a: a2,", "a: a2/(a2 - a2),", "divides by zero"),
+        ("parameters:", "derived: {b: c, c: a2}\nparameters:", "not derived above"),
+        ("parameters:", "derived: {a2: a3}\nparameters:", "no new name"),
+        ("parameters:", "derived: {verdict: a3}\nparameters:", "not free as a name"),
+        ("parameters:", "derived: {b: 'a2**2'}\nparameters:", "cannot be read"),
+        ("parameters:", "derived: [a2]\nparameters:", "no mapping"),
         ("a: a2,", "a: q2,", "row 2"),
         ("alpha: -pi/2", "alpha: a2", "no unit"),
         ("steps: 15}\n  d2", "steps: many}\n  d2", "whole number"),
