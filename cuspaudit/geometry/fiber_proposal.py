@@ -35,7 +35,7 @@ class FiberProposer:
     Attributes:
         variety: V.
         mapping: R.
-        ring: Q[t, y_1..y_d]; none of its names, nor e, is a variable of V.
+        ring: Q[t, y_1..y_d]; none of its names is a variable of V.
         end: when to stop, on the monotonic clock.
         seed: of msolve's random choices.
     """
@@ -146,10 +146,11 @@ class FiberProposer:
     ) -> list[tuple[Polynomial, Polynomial]]:
         """All (a, b) with a + e b in a basis without x, for t = h(x) + e x_i."""
         source = self.variety.ring
-        big = Ring([*source.variables, *self.ring.variables, "e"])
+        dual_name = max((*source.variables, *self.ring.variables), key=len) + "e"
+        big = Ring([*source.variables, *self.ring.variables, dual_name])
         x = [big.gen(name) for name in source.variables]
         t, *y = (big.gen(name) for name in self.ring.variables)
-        e = big.gen("e")
+        e = big.gen(dual_name)
         values = zip(y, self.mapping.components, strict=True)
         system = [
             *(big.from_other(p, source) for p in self.variety.equations),
@@ -164,7 +165,7 @@ class FiberProposer:
         basis = propose_elimination(big, system, len(x), left, self.seed)
         found = []
         for p in basis:
-            parts = big.coefficients(p, ["e"])
+            parts = big.coefficients(p, [dual_name])
             a, b = (parts.get((k,), big.constant(0)) for k in (0, 1))
             found.append((self.ring.from_other(a, big), self.ring.from_other(b, big)))
         found = [(a, b) for a, b in found if a != 0]

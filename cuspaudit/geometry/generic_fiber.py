@@ -194,7 +194,7 @@ def generic_fiber(
 def _fresh(ring: Ring, dimension: int) -> list[str]:
     """Names t, y1..yd, underlined until they are no variables of ``ring``."""
     names = ["t", *(f"y{i + 1}" for i in range(dimension))]
-    while {*names, "e"} & set(ring.variables):
+    while set(names) & set(ring.variables):
         names = [f"{name}_" for name in names]
     return names
 
