@@ -26,6 +26,7 @@ __all__ = ["Continuation", "continue_point", "follow", "square_chart"]
 BITS = 106
 #: the part of a segment below which a step is given up
 SMALLEST_STEP = fmpq(1, 2**40)
+_MOST_STEPS = 2000
 
 
 @dataclass(frozen=True)
@@ -120,7 +121,7 @@ def follow(
     """
     at, size, grow = fmpq(0), fmpq(1), True
     point, here, steps = start, y0, list[Lift]()
-    while at < 1:
+    while at < 1 and len(steps) < _MOST_STEPS:
         step = min(size, 1 - at)
         there = y1 if at + step == 1 else _between(y0, y1, at + step)
         done = _step(chart, point, here, there)
@@ -133,7 +134,7 @@ def follow(
         steps.append(done[0])
         point, here, at = done[1], there, at + step
         size, grow = (2 * step if grow else step), True
-    return Continuation(tuple(steps), (start, point))
+    return Continuation(tuple(steps), (start, point)) if at == 1 else None
 
 
 def square_chart(
