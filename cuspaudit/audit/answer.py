@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from cuspaudit.audit.aspects import count_aspects
 from cuspaudit.audit.six_joint_search import SearchRecord
-from cuspaudit.cuspidality.decision import Decision, decide
+from cuspaudit.cuspidality.surface_decision import SurfaceDecision, decide_surface
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import DegenerateMapError, RetryableError, UnableError
 from cuspaudit.geometry.cusps import Count, cusps
@@ -66,7 +66,7 @@ class Answer:
     why: str
     rests_on: tuple[str, ...] = ()
     reduction: Reduction | None = None
-    decision: Decision | None = None
+    decision: SurfaceDecision | None = None
     aspects: Count | None = None
     postures: Count | None = None
     cusps: Count | None = None
@@ -98,7 +98,7 @@ def answer(model: ExactModel, progress: Progress = lambda step: None) -> Answer:
 
 def _three_joints(model: ExactModel, progress: Progress) -> Answer:
     variety, mapping = reduced_map(model)
-    decision = decide(variety, mapping, progress)
+    decision = decide_surface(variety, mapping, progress)
     progress("cusps and nodes")
     return Answer(
         model,
@@ -113,7 +113,7 @@ def _three_joints(model: ExactModel, progress: Progress) -> Answer:
     )
 
 
-def _sentence(decision: Decision) -> str:
+def _sentence(decision: SurfaceDecision) -> str:
     count = len(decision.samples)
     if decision.verdict is Verdict.CUSPIDAL:
         return (
@@ -153,6 +153,11 @@ def _six_joints(model: ExactModel, progress: Progress) -> Answer:
         )
     regional = _three_joints(reduction.regional, progress)
     assert regional.decision is not None
+    aspects = Count(2 * regional.decision.aspects, True)
+    if regional.verdict is Verdict.CUSPIDAL and not reduction.is_equivalent:
+        why = f"{reduction.why}, and they are: the theorem says no more"
+        settle = "a witness path"
+        return _undecided(model, "reductions", why, LOOKED_FOR, settle, aspects)
     return Answer(
         model,
         regional.verdict,
@@ -160,8 +165,8 @@ def _six_joints(model: ExactModel, progress: Progress) -> Answer:
         ("exact tests of the hypotheses", *_EXACT),
         reduction,
         regional.decision,
-        Count(2 * regional.decision.aspects, True),
-        Count(2 * regional.decision.max_postures, True),
+        aspects,
+        Count(2 * regional.decision.max_postures, True) if reduction.is_full else None,
         regional.cusps,
         regional.nodes,
     )

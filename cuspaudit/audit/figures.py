@@ -14,7 +14,7 @@ from cuspaudit.audit.critical_points import critical_points
 from cuspaudit.audit.joint_plane import JointPlane, joint_plane
 from cuspaudit.audit.joint_surface import JointSurface
 from cuspaudit.audit.value_plane import ValuePlane, value_plane
-from cuspaudit.cuspidality.decision import Couple, Decision
+from cuspaudit.cuspidality.surface_decision import SurfaceCouple, SurfaceDecision
 from cuspaudit.cuspidality.witness import posture_angles, propose_path
 from cuspaudit.errors import InvalidInputError, UnableError
 from cuspaudit.geometry.graph_isotop import RoadmapGraph, graph_isotop
@@ -92,7 +92,7 @@ def figures(found: Answer, at: Point | None = None) -> Figures:
 
 def _focus(
     surface: JointSurface, at: Point | None
-) -> tuple[Fiber, RoadmapGraph, Couple | None]:
+) -> tuple[Fiber, RoadmapGraph, SurfaceCouple | None]:
     """The fiber to draw, the graph that places its postures, and its best couple.
 
     Of the sample values one with as many couples and postures as there are, and with
@@ -111,7 +111,7 @@ def _focus(
 
 def _couple(
     surface: JointSurface, fiber: Fiber, graph: RoadmapGraph
-) -> tuple[tuple[int, int], float, Couple | None]:
+) -> tuple[tuple[int, int], float, SurfaceCouple | None]:
     """Rank of a fiber, its distance from singular, its couple farthest from that."""
     decision, postures = surface.decision, fiber.postures
     angles = np.array([posture_angles(decision, p) for p in postures]).reshape(-1, 2)
@@ -127,7 +127,11 @@ def _couple(
         return rank, float(np.abs(heights).min(initial=np.inf)), None
     best, i, j = max(pairs)
     sign = int(np.sign(heights[i]))
-    return rank, float(best), Couple(fiber.value, (postures[j], postures[i]), sign)
+    return (
+        rank,
+        float(best),
+        SurfaceCouple(fiber.value, (postures[j], postures[i]), sign),
+    )
 
 
 def _fiber_at(surface: JointSurface, at: Point) -> Fiber:
@@ -161,8 +165,8 @@ def _fiber_at(surface: JointSurface, at: Point) -> Fiber:
 
 
 def _refocused(
-    decision: Decision, fiber: Fiber, graph: RoadmapGraph, couple: Couple
-) -> Decision:
+    decision: SurfaceDecision, fiber: Fiber, graph: RoadmapGraph, couple: SurfaceCouple
+) -> SurfaceDecision:
     """The decision as if ``fiber`` had been its only sample."""
     return replace(decision, samples=[fiber], graph=graph, couples=[couple])
 

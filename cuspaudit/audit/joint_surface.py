@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from cuspaudit.algebra.numeric import NumericPolynomial, numeric_values
 from cuspaudit.algebra.ring import Polynomial
 from cuspaudit.algebra.univariate import RealRoot
-from cuspaudit.cuspidality.decision import Decision
+from cuspaudit.cuspidality.surface_decision import SurfaceDecision
 from cuspaudit.geometry.surface import Factor
 from cuspaudit.kinematics.exact_model import ExactModel
 from cuspaudit.kinematics.frames import angle_value
@@ -38,7 +38,7 @@ class JointSurface:
         reach: how far a coordinate on a line is followed, either way.
     """
 
-    def __init__(self, decision: Decision, model: ExactModel) -> None:
+    def __init__(self, decision: SurfaceDecision, model: ExactModel) -> None:
         self.decision, self.model = decision, model
         surface = decision.surface
         self.fiber, self.base = surface.fiber, surface.base

@@ -13,7 +13,7 @@ from typing import Any
 
 import cuspaudit
 from cuspaudit.audit.answer import Answer
-from cuspaudit.cuspidality.decision import Decision
+from cuspaudit.cuspidality.surface_decision import SurfaceDecision
 from cuspaudit.geometry.sample_points import Fiber
 
 __all__ = ["SCHEMA", "proof_record"]
@@ -44,7 +44,7 @@ def proof_record(answer: Answer) -> str:
     return json.dumps(record, indent=1) + "\n"
 
 
-def _run(decision: Decision) -> dict[str, Any]:
+def _run(decision: SurfaceDecision) -> dict[str, Any]:
     road, surface = decision.roadmap, decision.surface
     return {
         "ring": repr(surface.ring),
@@ -76,7 +76,7 @@ def _run(decision: Decision) -> dict[str, Any]:
     }
 
 
-def _sample(decision: Decision, fiber: Fiber) -> dict[str, Any]:
+def _sample(decision: SurfaceDecision, fiber: Fiber) -> dict[str, Any]:
     return {
         "value": [str(entry) for entry in fiber.value],
         "postures": [

@@ -16,7 +16,7 @@ from cuspaudit.audit.answer import Answer
 from cuspaudit.audit.aspects import aspect_components
 from cuspaudit.audit.joint_surface import JointSurface
 from cuspaudit.audit.lift import lift_position, lift_wrist, wrist_middle
-from cuspaudit.cuspidality.decision import Decision
+from cuspaudit.cuspidality.surface_decision import SurfaceDecision
 from cuspaudit.cuspidality.witness import SurfacePath, posture_angles
 from cuspaudit.errors import RetryableError, UnableError
 from cuspaudit.geometry.sample_points import Fiber
@@ -110,7 +110,7 @@ def _named(postures: Array, labels: Sequence[Label]) -> Shown:
     return Shown([postures[i].tolist() for i in order], names)
 
 
-def _of_a_sample(answer: Answer, decision: Decision) -> Shown:
+def _of_a_sample(answer: Answer, decision: SurfaceDecision) -> Shown:
     """The postures of the sample value with the most of them, far from singular.
 
     With a wrist each aspect of the three joints is two of the arm's, one for either

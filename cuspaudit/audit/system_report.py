@@ -12,7 +12,7 @@ from cuspaudit.audit.apart import run_apart
 from cuspaudit.audit.report import PACKAGES, SCHEMA
 from cuspaudit.audit.system_file import SystemFile
 from cuspaudit.audit.versions import versions
-from cuspaudit.cuspidality.algorithm import AlgorithmRun, Engine, decide_map
+from cuspaudit.cuspidality.decision import Decision, Engine, decide
 from cuspaudit.cuspidality.steps import Step
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import UnableError
@@ -52,14 +52,14 @@ def decide_system(
     seen = _Seen(progress)
 
     def work(report: Callable[[str], None]) -> dict[str, Any]:
-        run = decide_map(system.variety, system.mapping, **shared, progress=report)
+        run = decide(system.variety, system.mapping, **shared, progress=report)
         return _record(system, run, seed)
 
     record: dict[str, Any]
     try:
         record = run_apart(work, timeout=timeout, memory=memory, progress=seen)
     except UnableError as limit:
-        run = AlgorithmRun(
+        run = Decision(
             system.variety, system.mapping, failure=limit, steps=seen.steps()
         )
         record = _record(system, run, seed)
@@ -89,7 +89,7 @@ class _Seen:
         )
 
 
-def _record(system: SystemFile, run: AlgorithmRun, seed: int) -> dict[str, Any]:
+def _record(system: SystemFile, run: Decision, seed: int) -> dict[str, Any]:
     return {
         "schema": SCHEMA,
         "robot": None,
@@ -132,7 +132,7 @@ def _step(step: Step) -> dict[str, Any]:
     }
 
 
-def _proof(run: AlgorithmRun) -> dict[str, Any]:
+def _proof(run: Decision) -> dict[str, Any]:
     kind = {Verdict.CUSPIDAL: "witness", Verdict.NONCUSPIDAL: "exact"}
     return {
         "kind": kind.get(run.verdict, "none"),
@@ -143,7 +143,7 @@ def _proof(run: AlgorithmRun) -> dict[str, Any]:
     }
 
 
-def _why(run: AlgorithmRun) -> str:
+def _why(run: Decision) -> str:
     count = len(run.samples)
     if run.couple is not None:
         value = ", ".join(map(str, run.couple.value))
@@ -157,7 +157,7 @@ def _why(run: AlgorithmRun) -> str:
     )
 
 
-def _postures(run: AlgorithmRun) -> dict[str, Any]:
+def _postures(run: Decision) -> dict[str, Any]:
     known = run.verdict is not Verdict.UNDECIDED
     return {"max": run.most_points if known else None, "proved": known}
 
@@ -168,7 +168,7 @@ def _factors(minors: tuple[Polynomial, ...]) -> list[str]:
     return [f"({p})^{n}" if n > 1 else str(p) for p, n in minors[0].factor()[1]]
 
 
-def _witness(run: AlgorithmRun) -> dict[str, Any] | None:
+def _witness(run: Decision) -> dict[str, Any] | None:
     if run.couple is None:
         return None
     couple = run.couple
@@ -186,7 +186,7 @@ def _floats(point: RealPoint) -> list[float]:
     return [float(ball.mid()) for ball in point.ball(_BITS).values()]
 
 
-def _undecided(run: AlgorithmRun) -> dict[str, Any] | None:
+def _undecided(run: Decision) -> dict[str, Any] | None:
     if run.failure is None:
         return None
     return {

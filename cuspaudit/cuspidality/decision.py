@@ -1,169 +1,248 @@
-"""Algorithm 1 of the paper, for a map from a surface to the plane."""
+"""Algorithm 1 of the paper on any variety and map, with two routes to connectivity.
+
+    g <- AtypicalValues(R, f)
+    Q <- SamplePointsRational(g)
+    P <- Union over q in Q of P_q = SamplePoints((f, R - q), ())
+    Delta <- Crit(R, f)
+    G <- GraphIsotop(Roadmap(f, Delta, P), Delta, P)    or    Routing(f, Delta, P)
+    for q in Q: a couple if two points of P_q are connected in G
+
+Correct by Proposition 10 of the paper under assumption (A), which is checked. Points of
+one fiber at which a factor of Delta has different signs are not connected, so they are
+never asked for.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from collections.abc import Callable, Collection, Iterator, Sequence
+from dataclasses import dataclass, field
 from itertools import combinations
+from typing import Literal, Protocol
 
-from flint import fmpq, fmpq_poly
+import numpy as np
+from flint import fmpq
+from numpy.typing import NDArray
 
+from cuspaudit.algebra.parametrization import (
+    RealPoint,
+    ZeroDimensionalParametrization,
+)
 from cuspaudit.algebra.ring import Polynomial
 from cuspaudit.algebra.system import PolynomialMap, PolynomialSystem
-from cuspaudit.algebra.univariate import Univariate
+from cuspaudit.cuspidality.steps import Step, Steps
 from cuspaudit.cuspidality.verdict import Verdict
-from cuspaudit.errors import DegenerateMapError, UnableError
-from cuspaudit.geometry.atypical_values import atypical_values
+from cuspaudit.errors import DegenerateMapError, RetryableError, UnableError
+from cuspaudit.geometry.assumption_a import check_assumption_a
 from cuspaudit.geometry.crit import crit
-from cuspaudit.geometry.fibers import FiberPolynomials, fiber_polynomials
-from cuspaudit.geometry.graph_connected import graph_connected
-from cuspaudit.geometry.graph_isotop import RoadmapGraph, graph_isotop
-from cuspaudit.geometry.roadmap import Roadmap, orient, roadmap
-from cuspaudit.geometry.sample_points import Fiber, Posture, sample_points
-from cuspaudit.geometry.sample_points_rational import sample_points_rational
-from cuspaudit.geometry.surface import Surface, product_factors
+from cuspaudit.geometry.generic_fiber import GenericFiber, generic_fiber
+from cuspaudit.geometry.open_cells import open_cells
+from cuspaudit.geometry.routing import routing
+from cuspaudit.geometry.sheet_roadmap import sheet_roadmap
 
-__all__ = ["Couple", "Decision", "decide"]
+__all__ = ["ENGINES", "Couple", "Decision", "decide", "points_over"]
+
+Engine = Literal["auto", "roadmap", "routing"]
+ENGINES: tuple[Engine, ...] = ("auto", "roadmap", "routing")
+
+_UNLIMITED = 1e6
+_EXACT = ("FLINT resultants", "FLINT root isolation", "exact signs", "ball arithmetic")
+
+
+class Connectivity(Protocol):
+    """The components of V - {Delta = 0}, by either route."""
+
+    @property
+    def grounds(self) -> Collection[str]:
+        """What their completeness rests on beside exact arithmetic and balls."""
+
+    @property
+    def number_of_components(self) -> int:
+        """Their number, proved."""
+
+    def component(self, point: RealPoint) -> int:
+        """The number of the component of a point with Delta != 0."""
+
+    def path(self, first: RealPoint, second: RealPoint) -> NDArray[np.float64]:
+        """Way points on V between two points of one component."""
 
 
 @dataclass(frozen=True, eq=False)
 class Couple:
-    """Two postures of one value in one aspect: a cuspidal couple.
+    """Two points of V over one value, in one component of V - {Delta = 0}.
 
     Attributes:
-        value: the value (u, v) of the map at both.
-        postures: the two postures.
-        sign: the sign of Delta in their aspect.
+        value: q in Q^d.
+        points: the two points, exactly.
+        sign: of Delta at both; 1 when there are several minors.
+        path: (m, n) way points on V from the first to the second, in floating point.
     """
 
-    value: tuple[fmpq, fmpq]
-    postures: tuple[Posture, Posture]
+    value: tuple[fmpq, ...]
+    points: tuple[RealPoint, RealPoint]
     sign: int
+    path: NDArray[np.float64]
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(eq=False)
 class Decision:
-    """What Algorithm 1 found, step by step.
+    """One run of Algorithm 1, as far as it came.
 
     Attributes:
-        verdict: CUSPIDAL if there is a couple, else NONCUSPIDAL.
-        delta: det jac(f, R), reduced on V.
-        fibers: the fiber polynomials of R.
-        atypical: polynomials g in K[u, v] with the atypical values among their zeros.
-        samples: the fiber of one rational value, at least, in every cell.
-        roadmap: the roadmap of V - {Delta = 0}.
-        graph: its graph, with every posture of ``samples`` placed.
-        couples: all couples among ``samples``.
+        variety: V = {f = 0}.
+        mapping: R.
+        verdict: UNDECIDED until the run has ended.
+        engine: the route to connectivity that gave the verdict.
+        minors: Delta, or several minors with {Delta = 0} for their common zeros on V.
+        atypical: polynomials g with the atypical values among their zeros.
+        samples: the real points over one value, at least, in every cell of {g != 0}.
+        components: the number of components of V - {Delta = 0}, proved.
+        couple: of a cuspidal map.
+        rests_on: what the verdict rests on.
+        steps: the steps that ended.
+        failure: why there is no verdict.
     """
 
-    verdict: Verdict
-    delta: Polynomial
-    fibers: FiberPolynomials
-    atypical: list[Polynomial]
-    samples: list[Fiber]
-    roadmap: Roadmap
-    graph: RoadmapGraph
-    couples: list[Couple]
+    variety: PolynomialSystem
+    mapping: PolynomialMap
+    verdict: Verdict = Verdict.UNDECIDED
+    engine: str | None = None
+    minors: tuple[Polynomial, ...] = ()
+    atypical: list[Polynomial] = field(default_factory=list)
+    samples: dict[tuple[fmpq, ...], tuple[RealPoint, ...]] = field(default_factory=dict)
+    components: int | None = None
+    couple: Couple | None = None
+    rests_on: tuple[str, ...] = ()
+    steps: tuple[Step, ...] = ()
+    failure: UnableError | None = None
 
     @property
-    def surface(self) -> Surface:
-        """V with its charts."""
-        return self.fibers.surface
-
-    @property
-    def aspects(self) -> int:
-        """The number of connected components of V - {Delta = 0}, proved."""
-        return self.graph.number_of_aspects
-
-    @property
-    def max_postures(self) -> int:
-        """The largest number of postures over a regular value, proved."""
-        return max(len(fiber.postures) for fiber in self.samples)
+    def most_points(self) -> int | None:
+        """The largest number of real points over a value with g != 0, proved."""
+        return max(map(len, self.samples.values()), default=None)
 
 
 def decide(
     variety: PolynomialSystem,
     mapping: PolynomialMap,
+    engine: Engine = "auto",
+    *,
+    seed: int = 1,
+    timeout: float | None = None,
     progress: Callable[[str], None] = lambda step: None,
 ) -> Decision:
     """Decide whether the restriction of R to V_R is cuspidal.
 
-    [Paper, Algorithm 1], for V a product of two circles or lines, R to the plane and
-    Delta affine along one factor. Exact: the verdict follows from Proposition 10 of
-    the paper, with assumption (A) true of such V.
+    [Paper, Algorithm 1].
 
     Args:
-        variety: V = {f = 0}.
-        mapping: R = (r_1, r_2).
+        variety: V = {f = 0} over Q, f empty for V = R^n.
+        mapping: R: V -> R^d, d the dimension of V.
+        engine: the route to connectivity; "auto" takes the roadmap, and the routing
+            where that is unable.
+        seed: of every random choice.
+        timeout: in s; looked at between steps and given to every program started.
         progress: called with the name of each step before it runs.
 
+    Returns:
+        The run. UNDECIDED, with ``failure`` naming the step, when one was too large or
+        too long.
+
     Raises:
-        DegenerateMapError: Delta vanishes identically on V.
-        UnableError: V, R or Delta is outside what this engine handles.
+        AssumptionError: assumption (A) fails, R is singular everywhere on V, or the
+            numbers of equations, components and variables do not fit.
     """
-    if len(mapping.components) != 2:
-        raise UnableError("decide", "this engine decides maps to the plane")
-    progress("crit")
-    surface = Surface(variety.ring, *product_factors(variety))
-    minors = [surface.reduce(minor) for minor in crit(variety, mapping)]
-    delta = minors[0] if minors else variety.ring.constant(0)
-    if delta == 0:
-        raise DegenerateMapError(
-            "det J vanishes at every posture: the map never has full rank"
-        )
-    surface = orient(surface, delta)
-    progress("atypical_values")
-    fibers = fiber_polynomials(surface, mapping)
-    atypical = atypical_values(fibers)
-    progress("roadmap")
-    road = roadmap(surface, delta)
-    progress("sample_points_rational")
-    values = sample_points_rational(
-        fibers.ring, atypical, ("u", "v"), _generic(fibers, road)
+    run = Decision(variety, mapping)
+    steps = Steps(progress, timeout)
+    try:
+        _prepare(run, steps, seed)
+        _connect(run, steps, engine, seed)
+    except UnableError as limit:
+        run.failure = limit
+    except RetryableError as unlucky:
+        run.failure = UnableError(steps.current, str(unlucky))
+    steps.end()
+    run.steps = tuple(steps.done)
+    return run
+
+
+def _prepare(run: Decision, steps: Steps, seed: int) -> None:
+    """Steps 1 to 8 of the algorithm: Delta, g, Q and the points over Q."""
+    variety, mapping = run.variety, run.mapping
+    steps.begin("crit")
+    run.minors = crit(variety, mapping)
+    steps.begin("check_assumption_a")
+    check_assumption_a(variety, len(mapping.components))
+    if not run.minors:
+        raise DegenerateMapError("Delta vanishes identically: the map has no full rank")
+    steps.begin("atypical_values")
+    fiber = generic_fiber(variety, mapping, _limit(steps), seed)
+    run.atypical = [fiber.leading, fiber.discriminant]
+    steps.begin("sample_points_rational")
+    cells = open_cells(fiber.ring, run.atypical, fiber.values)
+    steps.begin("sample_points")
+    for value in cells.samples.values():
+        run.samples[value] = points_over(fiber, value).real_points()
+
+
+def points_over(
+    fiber: GenericFiber, value: tuple[fmpq, ...]
+) -> ZeroDimensionalParametrization:
+    """The points of V over a value with lc disc != 0 (the paper's P_q).
+
+    Complete by the theorem of `geometry.generic_fiber`.
+    """
+    omega, rho = fiber.over(value)
+    leading = omega[omega.degree()]
+    return ZeroDimensionalParametrization(
+        fiber.variety.ring.variables,
+        omega / leading,
+        tuple(p % omega / leading for p in rho),
+        tuple(map(fmpq, fiber.form)),
+        ("generic fiber",),
     )
-    progress("sample_points")
-    samples = [sample_points(fibers, (u, v)) for u, v in values]
-    progress("graph_isotop")
-    postures = [posture for fiber in samples for posture in fiber.postures]
-    graph = graph_isotop(road, delta, postures)
-    couples = list(_couples(graph, samples))
-    verdict = Verdict.CUSPIDAL if couples else Verdict.NONCUSPIDAL
-    return Decision(verdict, delta, fibers, atypical, samples, road, graph, couples)
 
 
-def _couples(graph: RoadmapGraph, samples: list[Fiber]) -> Iterator[Couple]:
-    for fiber in samples:
-        placed = zip(fiber.postures, graph.vert(fiber), strict=True)
-        for (a, vertex_a), (b, vertex_b) in combinations(placed, 2):
-            if graph_connected(graph, vertex_a, vertex_b):
-                yield Couple(fiber.value, (a, b), vertex_a[1])
+def _connect(run: Decision, steps: Steps, engine: Engine, seed: int) -> None:
+    """Steps 9 to 14: connectivity by one route, or the other where that is unable."""
+    routes = ("roadmap", "routing") if engine == "auto" else (engine,)
+    for route in routes:
+        try:
+            steps.begin(route)
+            graph = _graph(run, route, steps, seed)
+            steps.begin("graph_connected")
+            run.couple = next(_couples(run, graph), None)
+        except (UnableError, RetryableError):
+            if route == routes[-1] or steps.left == 0.0:
+                raise
+            continue
+        run.engine, run.components = route, graph.number_of_components
+        run.rests_on = (*_EXACT, *sorted(graph.grounds))
+        run.verdict = Verdict.CUSPIDAL if run.couple else Verdict.NONCUSPIDAL
+        return
 
 
-def _generic(
-    fibers: FiberPolynomials, road: Roadmap
-) -> Callable[[tuple[fmpq, ...]], bool]:
-    """True for values whose postures all lie in the charts and over no zero of D.
+def _graph(run: Decision, route: str, steps: Steps, seed: int) -> Connectivity:
+    limit = _limit(steps)
+    if route == "roadmap":
+        return sheet_roadmap(run.variety, run.mapping, timeout=limit, seed=seed)
+    return routing(run.variety, run.mapping, run.minors, timeout=limit, seed=seed)
 
-    The second coordinate of each follows from its linear equation s_1 t + s_0 = 0.
-    """
-    ring = fibers.ring
-    gap, slope = fibers.chart_gap(), fibers.linear_factor[0]
-    polynomial = fibers.polynomial
-    along_base = polynomial if fibers.separating == "x" else fibers.eliminant("x")
 
-    def accept(value: tuple[fmpq, ...]) -> bool:
-        at = dict(zip(("u", "v"), value, strict=True))
-        if ring.substitute(gap, at) == 0:
-            return False
-        own, linear = (special(p, at, fibers.separating) for p in (polynomial, slope))
-        if own.gcd(linear).degree() > 0:
-            return False
-        postures = special(along_base, at, "x").numer()
-        return all(
-            postures.gcd(root.polynomial).degree() == 0 for root in road.critical
-        )
+def _couples(run: Decision, graph: Connectivity) -> Iterator[Couple]:
+    factors = _factors(run.minors)
+    ring = run.variety.ring
+    for value, points in run.samples.items():
+        signs = {p: tuple(p.sign(f, ring) for f in factors) for p in points}
+        for a, b in combinations(points, 2):
+            if signs[a] == signs[b] and graph.component(a) == graph.component(b):
+                sign = a.sign(run.minors[0], ring) if len(run.minors) == 1 else 1
+                yield Couple(value, (a, b), sign, graph.path(a, b))
 
-    def special(p: Polynomial, at: dict[str, fmpq], name: str) -> fmpq_poly:
-        return Univariate.from_polynomial(ring, ring.substitute(p, at), name).norm
 
-    return accept
+def _factors(minors: Sequence[Polynomial]) -> list[Polynomial]:
+    """Factors of Delta; none when several minors must vanish together."""
+    return [f for f, _ in minors[0].factor()[1]] if len(minors) == 1 else []
+
+
+def _limit(steps: Steps) -> float:
+    return _UNLIMITED if steps.left is None else steps.left

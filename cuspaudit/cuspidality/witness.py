@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cuspaudit.algebra.numeric import NumericPolynomial, numeric_values
-from cuspaudit.cuspidality.decision import Couple, Decision
+from cuspaudit.cuspidality.surface_decision import SurfaceCouple, SurfaceDecision
 from cuspaudit.geometry.sample_points import Posture
 from cuspaudit.geometry.surface import Factor, Surface
 
@@ -56,14 +56,14 @@ class SurfacePath:
         return self.smallest / self.largest
 
 
-def propose_paths(decision: Decision) -> Iterator[SurfacePath]:
+def propose_paths(decision: SurfaceDecision) -> Iterator[SurfacePath]:
     """A path for every couple, those that stand farthest from the singular set first.
 
     The two ends bound how far from it a path can keep.
     """
     land = _Landscape(decision, 1)
 
-    def height(couple: Couple) -> float:
+    def height(couple: SurfaceCouple) -> float:
         ends = np.array([_angles(decision.surface, p) for p in couple.postures])
         return float(np.abs(land.height(ends)).min())
 
@@ -71,13 +71,13 @@ def propose_paths(decision: Decision) -> Iterator[SurfacePath]:
         yield propose_path(decision, couple)
 
 
-def posture_angles(decision: Decision, posture: Posture) -> Array:
+def posture_angles(decision: SurfaceDecision, posture: Posture) -> Array:
     """The coordinates of a posture as in `SurfacePath.points`."""
     pair = _angles(decision.surface, posture)
     return pair[::-1] if _is_swapped(decision.surface) else pair
 
 
-def propose_path(decision: Decision, couple: Couple) -> SurfacePath:
+def propose_path(decision: SurfaceDecision, couple: SurfaceCouple) -> SurfacePath:
     """A path joining the couple inside its aspect, as far as sampling can tell."""
     land = _Landscape(decision, couple.sign)
     path = land.follow(decision, couple)
@@ -93,7 +93,7 @@ def propose_path(decision: Decision, couple: Couple) -> SurfacePath:
 class _Landscape:
     """sign * Delta on V in floating point; points are (fiber, base) pairs."""
 
-    def __init__(self, decision: Decision, sign: int) -> None:
+    def __init__(self, decision: SurfaceDecision, sign: int) -> None:
         self.surface: Surface = decision.surface
         ring = self.surface.ring
         self.delta = NumericPolynomial(ring, sign * decision.delta)
@@ -138,7 +138,7 @@ class _Landscape:
         reach = np.where(steep, -constant / np.where(steep, slope**2, 1.0), 0.0)
         return np.asarray(slope * (max(float(reach.max()), 0.0) + 1.0))
 
-    def follow(self, decision: Decision, couple: Couple) -> Array:
+    def follow(self, decision: SurfaceDecision, couple: SurfaceCouple) -> Array:
         """The path along the roadmap."""
         start, goal = (_angles(self.surface, p) for p in couple.postures)
         turns = decision.graph.turns(*couple.postures)

@@ -6,7 +6,7 @@ import pytest
 from random_systems import KINDS, random_system
 
 from cuspaudit.algebra.parametrization import RealPoint
-from cuspaudit.cuspidality.algorithm import points_over
+from cuspaudit.cuspidality.decision import points_over
 from cuspaudit.errors import AssumptionError
 from cuspaudit.geometry.assumption_a import check_assumption_a
 from cuspaudit.geometry.crit import crit

@@ -11,7 +11,7 @@ from short_tables import Number, arm
 from cuspaudit.algebra.numeric import numeric_values
 from cuspaudit.algebra.ring import Ring
 from cuspaudit.algebra.system import PolynomialMap, PolynomialSystem
-from cuspaudit.cuspidality.decision import Decision, decide
+from cuspaudit.cuspidality.surface_decision import SurfaceDecision, decide_surface
 from cuspaudit.cuspidality.witness import (
     SurfacePath,
     posture_angles,
@@ -33,14 +33,14 @@ ARMS: dict[str, tuple[Row, Row, Row, str]] = {
 
 
 @cache
-def decided(name: str) -> tuple[Decision, PolynomialSystem, PolynomialMap]:
+def decided(name: str) -> tuple[SurfaceDecision, PolynomialSystem, PolynomialMap]:
     """The decision of an arm and its map."""
     a, d, alpha, kinds = ARMS[name]
     variety, mapping = reduced_map(exact_model(arm(a, d, alpha, kinds)))
-    return decide(variety, mapping), variety, mapping
+    return decide_surface(variety, mapping), variety, mapping
 
 
-def variables(decision: Decision, points: np.ndarray) -> np.ndarray:
+def variables(decision: SurfaceDecision, points: np.ndarray) -> np.ndarray:
     """The coordinates of R^n of (m, 2) points in the order of V's factors."""
     surface = decision.surface
     ring = surface.ring
@@ -114,7 +114,7 @@ def test_paths_of_a_map_that_is_no_robot() -> None:
     ring = Ring(["x", "y"])
     x, y = ring.gens
     for mapping in ((x**3 + x * y, y), (y, x**3 + x * y), (x, y**3 + x * y)):
-        decision = decide(PolynomialSystem(ring), PolynomialMap(ring, mapping))
+        decision = decide_surface(PolynomialSystem(ring), PolynomialMap(ring, mapping))
         for couple in decision.couples:
             path = propose_path(decision, couple)
             along = numeric_values(ring, [decision.delta], dense(path))

@@ -1,188 +1,111 @@
+"""Algorithm 1, by both routes, on maps whose verdict is known by hand."""
+
 from __future__ import annotations
 
-import math
-from itertools import combinations
+from pathlib import Path
 
 import pytest
-from flint import ctx, fmpq
-from short_tables import arm
 
+from cuspaudit.algebra.polynomial_text import parse_polynomial
 from cuspaudit.algebra.ring import Ring
 from cuspaudit.algebra.system import PolynomialMap, PolynomialSystem
-from cuspaudit.cuspidality.decision import Decision, decide
+from cuspaudit.audit.system_file import SystemFile, read_system
+from cuspaudit.cuspidality.decision import decide
 from cuspaudit.cuspidality.verdict import Verdict
-from cuspaudit.errors import DegenerateMapError, UnableError
-from cuspaudit.kinematics.exact_model import exact_model
-from cuspaudit.kinematics.polynomial_map import reduced_map
-
-RING = Ring(["x", "y"])
-X, Y = RING.gens
-PLANE = PolynomialSystem(RING)
-ROUND = Ring(["c", "s", "q"])
-C, S, Q = ROUND.gens
-CYLINDER = PolynomialSystem(ROUND, (C**2 + S**2 - 1,))
-
-#: maps of the plane decided by hand: (R, verdict, aspects, postures)
-BY_HAND = {
-    "identity": ((X, Y), "noncuspidal", 1, 1),
-    "fold": ((X**2, Y), "noncuspidal", 2, 2),
-    "fold on a slope": ((Y + (X - Y) ** 2, Y + 3 * (X - Y) ** 2), "noncuspidal", 2, 2),
-    "Whitney cusp": ((X**3 + X * Y, Y), "cuspidal", 2, 3),
-    "Whitney cusp, exchanged": ((X, Y**3 + X * Y), "cuspidal", 2, 3),
-    # three monotone pieces
-    "cubic": ((X**3 - 3 * X, Y), "noncuspidal", 3, 3),
-    # convex in x
-    "quartic": ((X**4 + X * Y, Y), "noncuspidal", 2, 2),
-    # not proper over u = 0; y = +-sqrt(v / u), where Delta = 2 x y has either sign
-    "not proper": ((X, X * Y**2), "noncuspidal", 4, 2),
-    # 1 + 2 x y at the two postures is +-sqrt(1 + 4 u v)
-    "not proper, hyperbola": ((X + X**2 * Y, Y), "noncuspidal", 3, 2),
-    # x + y and x y: x and y exchanged
-    "symmetric": ((X * Y, X + Y), "noncuspidal", 2, 2),
-    "blow-up": ((X * Y, Y), "noncuspidal", 2, 1),
-    # y (x^2 - 1) = x is critical; two postures, with signs of either kind
-    "broken hyperbola": ((X * (X * Y - 1) + Y, X * Y), "noncuspidal", 4, 2),
-}
-
-
-def run(system: PolynomialSystem, *components: object) -> Decision:
-    """The decision for a map."""
-    return decide(system, PolynomialMap(system.ring, components))
-
-
-@pytest.mark.parametrize("name", BY_HAND)
-def test_maps_of_the_plane(name: str) -> None:
-    """The verdict, aspects and postures found by hand [DESIGN 4]."""
-    mapping, verdict, aspects, postures = BY_HAND[name]
-    found = run(PLANE, *mapping)
-    assert found.verdict.value == verdict
-    assert (found.aspects, found.max_postures) == (aspects, postures)
-
-
-def test_maps_of_the_cylinder() -> None:
-    """Polar coordinates twice over, and a fold of a cylinder."""
-    polar = run(CYLINDER, C * Q, S * Q)
-    assert (polar.verdict, polar.aspects) == (Verdict.NONCUSPIDAL, 2)
-    fold = run(CYLINDER, S, Q + C)
-    assert (fold.verdict, fold.aspects) == (Verdict.NONCUSPIDAL, 2)
-
-
-@pytest.mark.xfail(
-    reason="the critical set of z^2 has codimension 2: that needs the general engine",
-    raises=UnableError,
-    strict=True,
+from cuspaudit.errors import (
+    AssumptionError,
+    DegenerateMapError,
+    NotEquidimensionalError,
+    NotRadicalError,
+    NotSquareError,
+    RealPartSingularError,
 )
-def test_the_complex_square_is_cuspidal() -> None:
-    """Opposite numbers z and -z are joined round the origin."""
-    found = run(PLANE, X**2 - Y**2, 2 * X * Y)
-    assert found.verdict is Verdict.CUSPIDAL
+
+SYSTEMS = sorted((Path(__file__).parents[1] / "systems").glob("*.yaml"))
+SLOW = {"issac-2022", "two-spheres", "five-bar"}
 
 
-def test_the_complex_square_is_refused_by_name() -> None:
-    """Until then the step that stops is the roadmap."""
-    with pytest.raises(UnableError) as error:
-        run(PLANE, X**2 - Y**2, 2 * X * Y)
-    assert error.value.step == "roadmap"
+def system(variables: str, equations: list[str], mapping: list[str]) -> tuple:  # type: ignore[type-arg]
+    """V and R from text."""
+    ring = Ring(variables.split())
+    f = tuple(parse_polynomial(ring, text) for text in equations)
+    r = tuple(parse_polynomial(ring, text) for text in mapping)
+    return PolynomialSystem(ring, f), PolynomialMap(ring, r)
 
 
-@pytest.mark.xfail(
-    reason="postures alike two by two in either coordinate: needs a linear form",
-    raises=UnableError,
-    strict=True,
-)
-def test_two_folds_are_noncuspidal() -> None:
-    """(x^2, y^2): the four postures have the four pairs of signs."""
-    found = run(PLANE, X**2, Y**2)
-    assert (found.verdict, found.aspects) == (Verdict.NONCUSPIDAL, 4)
+def marked(path: Path) -> object:
+    """The file, marked slow where it is."""
+    marks = [pytest.mark.slow] if path.stem in SLOW else []
+    return pytest.param(path, marks=marks, id=path.stem)
+
+
+def hold(read: SystemFile, engine: str) -> None:
+    """The run by ``engine`` is what the file expects, and its couple is one."""
+    run = decide(read.variety, read.mapping, engine, timeout=120)
+    assert run.failure is None
+    found = {
+        "verdict": run.verdict.value,
+        "aspects": str(run.components),
+        "max_postures": str(run.most_points),
+    }
+    assert found == found | dict(read.expect)
+    if run.couple is not None:
+        a, b = run.couple.points
+        assert a != b
+        ring = read.variety.ring
+        for r, q in zip(read.mapping.components, run.couple.value, strict=True):
+            assert a.sign(r - q, ring) == b.sign(r - q, ring) == 0
+        assert run.couple.path.shape[1] == len(ring.variables)
+
+
+def test_there_are_more_than_forty_systems() -> None:
+    """The family of systems with a known verdict was found."""
+    assert len(SYSTEMS) >= 60
+
+
+@pytest.mark.parametrize("path", [marked(p) for p in SYSTEMS if p.stem != "five-bar"])
+@pytest.mark.parametrize("engine", ["roadmap", "routing"])
+def test_both_routes_decide_what_is_known_by_hand(path: Path, engine: str) -> None:
+    """Verdict, components and largest fiber are those of the file, by either route."""
+    hold(read_system(path), engine)
 
 
 @pytest.mark.parametrize(
-    "name", [n for n, case in BY_HAND.items() if case[1] == "cuspidal"]
+    ("arguments", "error"),
+    [
+        (("x y", ["x^2"], ["y"]), NotRadicalError),
+        (("x y z", ["x*y", "x*z"], ["y"]), NotEquidimensionalError),
+        (("x y", ["x^2 + y^2"], ["x"]), RealPartSingularError),
+        (("x y", ["x^2 + y^2 + 1"], ["x"]), AssumptionError),
+        (("x y", ["x", "x - 1"], ["y"]), NotEquidimensionalError),
+        (("x y z", ["x^2 + y^2 - 1"], ["x"]), NotSquareError),
+        (("x y", [], ["x + y", "2*x + 2*y"]), DegenerateMapError),
+        (("x y", ["x^2 + y^2 - 1"], ["x^2 + y^2"]), DegenerateMapError),
+    ],
+    ids=lambda value: str(value)[:40],
 )
-def test_the_couple_is_a_couple(name: str) -> None:
-    """Two distinct postures of the value, in one aspect, with the sign that is said."""
-    mapping = PolynomialMap(RING, BY_HAND[name][0])
-    check_couples(decide(PLANE, mapping), mapping)
+def test_violated_hypotheses_are_named(arguments: tuple, error: type) -> None:  # type: ignore[type-arg]
+    """Each way in which assumption (A), or full rank, fails has its own error."""
+    variety, mapping = system(*arguments)
+    with pytest.raises(error):
+        decide(variety, mapping)
 
 
-@pytest.mark.parametrize("alpha", [(-90, 90, 0), (-30, 90, 0), (45, -45, 0)])
-def test_the_couples_of_arms_are_couples(alpha: tuple[int, ...]) -> None:
-    """The same for arms, over Q, Q(sqrt 3) and Q(sqrt 2)."""
-    variety, mapping = reduced_map(exact_model(arm((1, 2, "3/2"), (0, 1, 0), alpha)))
-    found = decide(variety, mapping)
-    assert found.verdict is Verdict.CUSPIDAL
-    check_couples(found, mapping)
+def test_no_time_is_undecided_at_a_step() -> None:
+    """A run without time ends undecided and says at which step."""
+    variety, mapping = system("x y", [], ["x^3 + x*y", "y"])
+    run = decide(variety, mapping, timeout=0.0)
+    assert run.verdict is Verdict.UNDECIDED
+    assert run.failure is not None
+    assert run.failure.step == "crit"
 
 
-def check_couples(found: Decision, mapping: PolynomialMap) -> None:
-    """Value, distinctness, aspect and sign of every couple, to 300 bits."""
-    numerator, _ = found.surface.chart(found.delta)
-    assert found.couples
-    saved, ctx.prec = ctx.prec, 300
-    for couple in found.couples:
-        places = [posture.coordinates(300) for posture in couple.postures]
-        assert any(not a.overlaps(places[1][name]) for name, a in places[0].items())
-        for place in places:
-            for component, wanted in zip(mapping.components, couple.value, strict=True):
-                assert (mapping.ring.evaluate(component, place) - wanted).contains(0)
-        assert {p.sign(numerator) for p in couple.postures} == {couple.sign}
-        assert len({found.graph.aspect(p) for p in couple.postures}) == 1
-    ctx.prec = saved
-
-
-def test_couples_are_exactly_the_pairs_in_one_aspect() -> None:
-    """No pair is left out and none is invented."""
-    variety, mapping = reduced_map(exact_model(arm((1, 3, 4), (0, 3, 0), (-90, 90, 0))))
-    found = decide(variety, mapping)
-    pairs = sum(
-        found.graph.aspect(a) == found.graph.aspect(b)
-        for fiber in found.samples
-        for a, b in combinations(fiber.postures, 2)
-    )
-    assert pairs == len(found.couples) > 0
-
-
-def test_more_postures_than_aspects_is_cuspidal() -> None:
-    """Pigeon-hole: 4 postures in 2 aspects."""
-    found = decide(
-        *reduced_map(exact_model(arm((1, 2, "3/2"), (0, 1, 0), (-90, 90, 0))))
-    )
-    assert found.max_postures > found.aspects
-    assert found.verdict is Verdict.CUSPIDAL
-
-
-def test_degenerate_and_foreign_maps() -> None:
-    """No rank, or not to the plane: an error that says which."""
-    with pytest.raises(DegenerateMapError):
-        run(PLANE, X + Y, (X + Y) ** 2)
-    with pytest.raises(UnableError, match="maps to the plane"):
-        run(PLANE, X)
-    with pytest.raises(DegenerateMapError):
-        run(CYLINDER, C, 2 * C)
-
-
-def test_sample_values_avoid_what_is_special() -> None:
-    """Every sample has all its postures in the charts, with simple roots."""
-    found = run(PLANE, *BY_HAND["broken hyperbola"][0])
-    for fiber in found.samples:
-        derivative = fiber.polynomial.rational.derivative()
-        assert fiber.polynomial.rational.gcd(derivative).degree() == 0
-        for posture in fiber.postures:
-            assert all(math.isfinite(float(ball.mid())) for ball in posture.chart(128))
-
-
-def test_a_decision_over_a_field() -> None:
-    """(x^3 - 2 sqrt 2 x + x y, y): the Whitney cusp, moved by an irrational amount."""
-    ring = Ring(["x", "y"], 2)
-    x, y = ring.gens
-    mapping = PolynomialMap(ring, (x**3 - 2 * ring.surd * x + x * y, y))
-    found = decide(PolynomialSystem(ring), mapping)
-    assert (found.verdict, found.aspects) == (Verdict.CUSPIDAL, 2)
-    check_couples(found, mapping)
-
-
-def test_a_hair_decides() -> None:
-    """x^3 - 3 x + e x y: cuspidal as soon as e is not 0, however small."""
-    for e, verdict in ((fmpq(0), "noncuspidal"), (fmpq(1, 10**8), "cuspidal")):
-        found = run(PLANE, X**3 - 3 * X + e * X * Y, Y)
-        assert found.verdict.value == verdict
+def test_steps_are_the_papers_with_time_and_memory() -> None:
+    """A run lists the routines in the paper's order, each with time and memory."""
+    variety, mapping = system("x y", [], ["x^2", "y"])
+    seen: list[str] = []
+    run = decide(variety, mapping, "routing", progress=seen.append)
+    assert seen == [step.name for step in run.steps]
+    assert seen[2:5] == ["atypical_values", "sample_points_rational", "sample_points"]
+    assert all(step.seconds >= 0 for step in run.steps)
+    assert all(step.megabytes and step.megabytes > 1 for step in run.steps)

@@ -11,7 +11,7 @@ from short_tables import Number, arm
 from cuspaudit.algebra.numeric import numeric_values
 from cuspaudit.algebra.ring import Polynomial, Ring
 from cuspaudit.algebra.system import PolynomialMap, PolynomialSystem
-from cuspaudit.cuspidality.decision import Decision, decide
+from cuspaudit.cuspidality.surface_decision import SurfaceDecision, decide_surface
 from cuspaudit.geometry.crit import crit
 from cuspaudit.geometry.roadmap import Roadmap, orient, roadmap
 from cuspaudit.geometry.surface import Surface, product_factors
@@ -67,9 +67,9 @@ def arm_map(
     return reduced_map(exact_model(arm(a, d, alpha, kinds)))
 
 
-def decided(pair: tuple[PolynomialSystem, PolynomialMap]) -> Decision:
+def decided(pair: tuple[PolynomialSystem, PolynomialMap]) -> SurfaceDecision:
     """The decision for a map."""
-    return decide(*pair)
+    return decide_surface(*pair)
 
 
 def delta_of(pair: tuple[PolynomialSystem, PolynomialMap]) -> Polynomial:

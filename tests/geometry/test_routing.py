@@ -12,7 +12,7 @@ from surfaces import Build, arm_map, plane, road_of, torus
 from cuspaudit.algebra.ring import Polynomial, Ring
 from cuspaudit.algebra.system import PolynomialMap, PolynomialSystem
 from cuspaudit.algebra.zero_dimensional import solve_zero_dimensional
-from cuspaudit.cuspidality.decision import decide
+from cuspaudit.cuspidality.surface_decision import decide_surface
 from cuspaudit.errors import NotOnVarietyError, UnableError
 from cuspaudit.geometry.crit import crit
 from cuspaudit.geometry.graph_isotop import graph_isotop
@@ -258,7 +258,7 @@ def test_aspects_of_arms(table: tuple[tuple[int, ...], ...]) -> None:
     surface = Surface(variety.ring, *product_factors(variety))
     minors = [surface.reduce(minor) for minor in crit(variety, mapping)]
     found = routing(variety, mapping, minors)
-    assert found.number_of_components == decide(variety, mapping).aspects
+    assert found.number_of_components == decide_surface(variety, mapping).aspects
 
 
 @pytest.mark.parametrize("dimension", [3, 4])
