@@ -78,8 +78,9 @@ class _Layer:
 
     def only(self, chosen: Truths) -> _Layer:
         """The chosen boxes."""
-        parts = (x[chosen] for x in (self.corner, self.inside, self.smooth))
-        return _Layer(self.depth, *parts)
+        return _Layer(
+            self.depth, self.corner[chosen], self.inside[chosen], self.smooth[chosen]
+        )
 
     def plus(self, other: _Layer) -> _Layer:
         """These boxes and those of another layer of the same depth."""
@@ -111,7 +112,7 @@ def cover_count(waves: BoxWaves, timeout: float = 60.0) -> Cover:
             if upper <= 1 or upper == _at_least(layers):
                 boxes = sum(len(layer.corner) for layer in layers)
                 return Cover(upper, boxes, layers[-1].depth)
-            split = _coarsest(layers)
+            split = _between(layers)
         if time.process_time() > end:
             raise UnableError("cover_count", f"not settled in {timeout:g} s")
         layers = _refined(waves, layers, split)
@@ -123,10 +124,32 @@ def _grid(dimension: int, depth: int) -> Whole:
     return np.stack(np.meshgrid(*axes, indexing="ij"), -1).reshape(-1, dimension)
 
 
-def _coarsest(layers: list[_Layer]) -> list[Truths]:
-    """The open boxes of the largest size."""
-    first = next(i for i, layer in enumerate(layers) if not layer.inside.all())
-    return [~layer.inside & (i == first) for i, layer in enumerate(layers)]
+def _between(layers: list[_Layer]) -> list[Truths]:
+    """The open boxes halfway between inside boxes that are not joined.
+
+    Every open box belongs to the nearest component of inside boxes, by faces; those
+    that touch a box of another one are chosen.
+    """
+    inside = np.concatenate([layer.inside for layer in layers])
+    node = np.arange(len(inside))
+    own = np.flatnonzero(inside)
+    parts = _components([layer.only(layer.inside) for layer in layers])
+    for part in parts:
+        node[own[part]] = own[part[0]]
+    graph: nx.Graph[int] = nx.Graph()
+    for first, second in _faces(layers):
+        edges = zip(node[first].tolist(), node[second].tolist(), strict=True)
+        graph.add_edges_from(edges)
+    cell = np.full(len(inside), -1)
+    centers = {int(own[part[0]]) for part in parts}
+    for center, members in nx.voronoi_cells(graph, centers).items():
+        cell[list(members)] = center if center in centers else -1
+    touching = np.zeros(len(inside), dtype=bool)
+    for first, second in _faces(layers):
+        apart = cell[node[first]] != cell[node[second]]
+        touching[first[apart]] = touching[second[apart]] = True
+    ends = np.cumsum([len(layer.corner) for layer in layers])
+    return [part for part in np.split(touching & ~inside, ends[:-1])]
 
 
 def _refined(

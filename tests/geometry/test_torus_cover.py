@@ -169,3 +169,22 @@ def test_the_aspects_of_general_arms_are_counted_by_covers(name: str) -> None:
     assert found.grounds == (
         "a cover of the torus by boxes, in doubles with bounded rounding",
     )
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("share", "count"), [("0.5", 4), ("0.04", 2), ("0.01", 1)])
+def test_covers_prove_between_which_levels_the_maxima_of_a_crx_merge(
+    share: str, count: int
+) -> None:
+    """Four maxima of det J > 0 join in pairs at 0.0588 and all at 0.0188 of 0.4184."""
+    model = exact_model(open_robot("fanuc-crx-10ia-l").chain)
+    parts = model.ring.coefficients(jacobian_determinant(model), ("c2", "s2"))
+    numerator, _, decimals = share.partition(".")
+    level = fmpq(int(numerator + decimals), 10 ** len(decimals)) * fmpq(4184, 10**4)
+    base = [(f"c{k}", f"s{k}") for k in range(3, 6)]
+    ring = model.ring
+    functions = [
+        TorusFunction.from_polynomial(ring, base, part)
+        for part in (parts[1, 0], parts[0, 1], ring.constant(-level))
+    ]
+    assert cover_count(BoxWaves(functions), 600).components == count
