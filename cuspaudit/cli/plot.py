@@ -20,6 +20,7 @@ from cuspaudit.cli.options import (
     TaskName,
     Tip,
 )
+from cuspaudit.cli.running import progress_line
 from cuspaudit.errors import InvalidInputError
 
 if TYPE_CHECKING:
@@ -53,10 +54,12 @@ def plot(
     colour: Colour = "verdict",
     fix: Fix = None,
 ) -> None:
-    """Draw an arm that three joints decide, or the phase diagram of a sweep's DIR.
+    """Draw an arm, or the phase diagram of a sweep's DIR.
 
-    Of an arm: the critical values and the aspects. Of a sweep: two parameters, with
-    verdict or a count as colour; `cuspaudit plot DIR -o phases.html --fix d2=1`.
+    Of an arm that three joints decide: the critical values and the aspects. Of another
+    with six: the merge tree of |det J| and planes through the witness. Of a sweep: two
+    parameters, verdict or a count as colour;
+    `cuspaudit plot DIR -o phases.html --fix d2=1`.
     """
     if Path(robot).is_dir():
         plot_family(Path(robot), output, x=x, y=y, colour=colour, fix=fix)
@@ -66,19 +69,24 @@ def plot(
 
 
 def _plot_robot(robot: Robot, output: Path, snap: str, at: str | None) -> None:
-    """Draw the curve of critical values and the joint plane of a robot.
+    """Draw the planes of an arm that three joints decide, or another's landscape.
 
     Raises:
         InvalidInputError: a value or a file that cannot be used.
-        UnableError: no three-joint arm decides the robot.
+        UnableError: there is nothing to draw for this robot.
     """
-    from cuspaudit.audit.figures import figures_of
+    from cuspaudit.audit.landscape import Landscape, picture_of
+    from cuspaudit.audit.report import Options
     from cuspaudit.audit.writing import check_writable
     from cuspaudit.kinematics.snap_policy import policy_from_name
+    from cuspaudit.viz.landscape import landscape_sheet
     from cuspaudit.viz.plot_files import save_plot
 
     check_writable(output)
-    save_plot(figures_of(robot, _value(at), policy_from_name(snap)), output)
+    with progress_line("import") as step:
+        options = Options(progress=step, snap=policy_from_name(snap))
+        found = picture_of(robot, _value(at), options)
+    save_plot(landscape_sheet(found) if isinstance(found, Landscape) else found, output)
     typer.echo(f"figure: {output}")
 
 

@@ -1,4 +1,4 @@
-"""Both planes of an arm on one sheet, as PNG, SVG or one HTML page that opens offline.
+"""A sheet of drawings as PNG, SVG or one HTML page that opens offline.
 
 SVG and HTML name every mark when it is pointed at: the marks carry ``title`` elements,
 and their ids begin with the name of their layer.
@@ -7,61 +7,33 @@ and their ids begin with the name of their layer.
 from __future__ import annotations
 
 import io
-import string
-from collections.abc import Sequence
 from html import escape
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any
 
 from markupsafe import Markup
 
 from cuspaudit.errors import InvalidInputError
 from cuspaudit.viz.offline import asset, environment, policy
-from cuspaudit.viz.plots import (
-    LAYERS,
-    JointPlaneData,
-    Layer,
-    ValuePlaneData,
-    plot_joint_plane,
-    plot_value_plane,
-)
+from cuspaudit.viz.planes import FiguresData, planes_sheet
+from cuspaudit.viz.sheet import Sheet
 
-__all__ = ["ENDINGS", "FiguresData", "figure", "page_text", "save_plot", "svg_text"]
+__all__ = ["ENDINGS", "Drawn", "figure", "page_text", "save_plot", "svg_text"]
 
 ENDINGS = (".png", ".svg", ".html")
 _DPI = 150
-_SIZE = (13.0, 8.2)
-_DIGITS = string.digits + string.ascii_lowercase
-_LEGEND = 0.17  # the part of the height below both planes
+
+Drawn = Sheet | FiguresData
+"""A sheet, or the two planes that `planes_sheet` makes one of."""
 
 
-class FiguresData(Protocol):
-    """Both planes of one arm."""
-
-    @property
-    def title(self) -> str:
-        """The arm and its verdict."""
-
-    @property
-    def notes(self) -> Sequence[str]:
-        """What the reader must know, one sentence each."""
-
-    @property
-    def value(self) -> ValuePlaneData:
-        """The plane of values."""
-
-    @property
-    def joint(self) -> JointPlaneData:
-        """The plane of joints 2 and 3."""
-
-
-def figure(data: FiguresData) -> Any:
-    """Both planes side by side, as a matplotlib Figure without any window."""
+def figure(data: Drawn) -> Any:
+    """The sheet as a matplotlib Figure without any window."""
     return _figure(data)[0]
 
 
-def save_plot(data: FiguresData, path: Path) -> None:
-    """Write both planes to ``path``, in the format its ending names.
+def save_plot(data: Drawn, path: Path) -> None:
+    """Write a sheet to ``path``, in the format its ending names.
 
     Raises:
         InvalidInputError: the ending is none of `ENDINGS`, or the file cannot be
@@ -89,8 +61,8 @@ def save_plot(data: FiguresData, path: Path) -> None:
         ) from error
 
 
-def svg_text(data: FiguresData, *, titled: bool = True) -> str:
-    """Both planes as an SVG whose marks say what they are; the same every time.
+def svg_text(data: Drawn, *, titled: bool = True) -> str:
+    """A sheet as an SVG whose marks say what they are; the same every time.
 
     Args:
         data: what to draw.
@@ -104,24 +76,26 @@ def svg_text(data: FiguresData, *, titled: bool = True) -> str:
     return text
 
 
-def page_text(data: FiguresData) -> str:
-    """Both planes as one HTML page that asks for no other file.
+def page_text(data: Drawn) -> str:
+    """A sheet as one HTML page that asks for no other file.
 
     Pointing at a mark, a region or a cell says what it is; every layer can be hidden.
     """
-    svg = svg_text(data, titled=False)
+    sheet = _sheet(data)
+    svg = svg_text(sheet, titled=False)
     svg = svg[svg.index("<svg") :]
     script = asset("plot.js")
     return (
         environment()
         .get_template("plot.html")
         .render(
-            data=data,
+            sheet=sheet,
             svg=Markup(svg),
             layers={
-                name: text for name, text in LAYERS.items() if f'id="{name}-' in svg
+                name: text
+                for name, text in sheet.layers.items()
+                if f'id="{name}-' in svg
             },
-            sheet=_sheet(data.value),
             style=Markup(asset("plot.css")),
             script=Markup(script),
             policy=policy([script]),
@@ -129,35 +103,27 @@ def page_text(data: FiguresData) -> str:
     )
 
 
-def _sheet(value: ValuePlaneData) -> dict[str, Any]:
-    """The cells for the page's script: a digit a cell, rows from the top."""
-    rows = [row.tolist() for row in value.grid[::-1]]
-    return {
-        "window": [float(x) for x in value.window],
-        "cells": ["".join(_DIGITS[count] for count in row) for row in rows],
-    }
+def _sheet(data: Drawn) -> Sheet:
+    return data if isinstance(data, Sheet) else planes_sheet(data)
 
 
-def _figure(data: FiguresData, titled: bool = True) -> tuple[Any, dict[str, str]]:
+def _figure(data: Drawn, titled: bool = True) -> tuple[Any, dict[str, str]]:
     """The figure, and for the id of each mark what it says."""
     from matplotlib.figure import Figure
 
-    notes: dict[str, str] = {}
+    sheet, notes = _sheet(data), dict[str, str]()
 
-    def note(mark: Any, layer: Layer, text: str) -> None:
+    def note(mark: Any, layer: str, text: str) -> None:
         name = f"{layer}-{len(notes)}"
         mark.set_gid(name)
         notes[name] = text
 
-    drawing: Any = Figure(figsize=_SIZE, layout="constrained")
-    drawing.get_layout_engine().set(rect=(0, _LEGEND, 1, 1 - _LEGEND))
-    left, right = drawing.subplots(1, 2)
-    plot_value_plane(left, data.value, note)
-    plot_joint_plane(right, data.joint, note)
+    drawing: Any = Figure(figsize=sheet.size, layout="constrained")
+    sheet.draw(drawing, note)
     if titled:
-        drawing.suptitle(_plain(data.title), fontsize=15)
-    if titled and data.notes:
-        drawing.text(0.5, 0.012, _plain(" ".join(data.notes)), fontsize=9, ha="center")
+        drawing.suptitle(_plain(sheet.title), fontsize=15)
+    if titled and sheet.notes:
+        drawing.text(0.5, 0.012, _plain(" ".join(sheet.notes)), fontsize=9, ha="center")
     return drawing, notes
 
 

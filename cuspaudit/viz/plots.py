@@ -8,18 +8,24 @@ in as plain arrays, described here by protocols, so that any room may make it.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
-from typing import Any, Literal, Protocol
+from collections.abc import Sequence
+from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
+from cuspaudit.viz.sheet import Note
+
 __all__ = [
+    "BLACK",
+    "DARK",
     "LAYERS",
+    "RED",
     "AspectData",
     "JointPlaneData",
-    "Layer",
     "ValuePlaneData",
+    "frame",
+    "halo",
     "plot_joint_plane",
     "plot_value_plane",
 ]
@@ -138,10 +144,7 @@ class JointPlaneData(Protocol):
         """(m, 2) copies of one path between two postures."""
 
 
-Layer = Literal[
-    "cells", "curve", "special", "samples", "aspects", "roadmap", "path", "postures"
-]
-LAYERS: dict[Layer, str] = {
+LAYERS = {
     "cells": "cells by number of postures",
     "curve": "critical curves",
     "special": "cusps and nodes",
@@ -151,7 +154,6 @@ LAYERS: dict[Layer, str] = {
     "path": "nonsingular path",
     "postures": "postures of one value",
 }
-Note = Callable[[Any, Layer, str], None]
 
 
 def plot_value_plane(axes: Any, data: ValuePlaneData, note: Note | None = None) -> None:
@@ -206,7 +208,7 @@ def plot_value_plane(axes: Any, data: ValuePlaneData, note: Note | None = None) 
     for count, colour in zip(counts, colours, strict=True):
         name = "out of reach" if count == 0 else f"{count} postures"
         shown.append(_patch(axes, colour, name))
-    _frame(axes, data.window, data.labels, (False, False))
+    frame(axes, data.window, data.labels, (False, False))
     axes.set_title("Values: the curve of critical values")
     _legend(axes, shown)
 
@@ -236,7 +238,7 @@ def plot_joint_plane(axes: Any, data: JointPlaneData, note: Note | None = None) 
             ha="center",
             va="center",
             zorder=6,
-            path_effects=_halo(3),
+            path_effects=halo(3),
         )
         note(number, "aspects", name)
         shown.append(_patch(axes, tint, name))
@@ -256,7 +258,7 @@ def plot_joint_plane(axes: Any, data: JointPlaneData, note: Note | None = None) 
         (line,) = axes.plot([], [], color=BLACK, lw=2, dashes=(3, 1.5), label=label)
         shown.append(line)
     _postures(axes, data, note, shown)
-    _frame(axes, data.window, data.labels, data.is_turn)
+    frame(axes, data.window, data.labels, data.is_turn)
     axes.set_title("Joints: aspects, roadmap, postures of one value")
     _legend(axes, shown)
 
@@ -280,7 +282,7 @@ def _postures(axes: Any, data: JointPlaneData, note: Note, shown: list[Any]) -> 
             fontsize=12,
             fontweight="bold",
             zorder=8,
-            path_effects=_halo(2.5),
+            path_effects=halo(2.5),
         )
         note(letter, "postures", says)
         if i == 0:
@@ -311,9 +313,10 @@ def _mark(
     return mark
 
 
-def _frame(
+def frame(
     axes: Any, window: Window, labels: tuple[str, str], is_turn: tuple[bool, bool]
 ) -> None:
+    """Window, labels, scales and ticks of one plane; a turn has ticks at pi."""
     axes.set_xlim(window[0], window[1])
     axes.set_ylim(window[2], window[3])
     axes.set_xlabel(labels[0])
@@ -348,7 +351,8 @@ def _patch(axes: Any, colour: str, name: str) -> Any:
     return Patch(facecolor=colour, edgecolor="#777777", linewidth=0.6, label=name)
 
 
-def _halo(width: float) -> list[Any]:
+def halo(width: float) -> list[Any]:
+    """A white rim of ``width`` points for text and lines."""
     from matplotlib.patheffects import withStroke
 
     return [withStroke(linewidth=width, foreground="white")]
@@ -366,5 +370,5 @@ def _signed(sign: int) -> str:
     return "Delta > 0" if sign > 0 else "Delta < 0"
 
 
-def _silent(mark: Any, layer: Layer, text: str) -> None:
+def _silent(mark: Any, layer: str, text: str) -> None:
     """Nobody points at a bitmap."""

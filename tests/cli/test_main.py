@@ -259,12 +259,15 @@ def test_interrupt_leaves_no_file(tmp_path: Path) -> None:
 def test_plot_writes_a_figure(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """`plot` writes the figures of a three-joint arm, and refuses an arm without."""
+    """`plot` draws arms of three joints and of six; `--at` is for three only."""
     figure = tmp_path / "figure.svg"
     arguments = ("plot", "baili-2004-wt8", "-o", figure)
     assert run(*arguments, capsys=capsys)[0] == 0
     assert figure.read_text().count("<path") > 10
-    status, _, err = run("plot", "ur5", "-o", figure, capsys=capsys)
+    assert run("plot", "ur5", "-o", figure, capsys=capsys)[0] == 0
+    assert "Merge tree" in figure.read_text()
+    refused = ("plot", "ur5", "-o", figure, "--at", "1,1")
+    status, _, err = run(*refused, capsys=capsys)
     assert (status, err.count("\n")) == (2, 1)
 
 

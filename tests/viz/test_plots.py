@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from cuspaudit.errors import InvalidInputError
+from cuspaudit.viz.landscape import landscape_sheet
 from cuspaudit.viz.plot_files import figure, page_text, save_plot, svg_text
 from cuspaudit.viz.plots import LAYERS, RED
 
@@ -158,3 +159,68 @@ def test_the_critical_curve_is_red_and_the_legend_names_everything() -> None:
         *("singular postures", "nonsingular path of a couple"),
     ):
         assert name in names
+
+
+@dataclass(frozen=True)
+class Leaf:
+    """A maximum made by hand."""
+
+    level: float
+    sign: int
+    aspect: int
+
+
+@dataclass(frozen=True)
+class Plane:
+    """A plane made by hand."""
+
+    title: str = "through N"
+    labels: tuple[str, str] = ("θ₂ (rad)", "θ₃ (rad)")
+    window: tuple[float, float, float, float] = (-1.0, 1.0, -1.0, 1.0)
+    heights: np.ndarray = field(
+        default_factory=lambda: np.linspace(-1, 1, 64).reshape(8, 8)
+    )
+    marks: dict[str, np.ndarray] = field(
+        default_factory=lambda: {"N": np.array([0.1, 0.2])}
+    )
+    lines: tuple[np.ndarray, ...] = ()
+
+
+@dataclass(frozen=True)
+class Hills:
+    """A landscape made by hand."""
+
+    title: str = "<b>hills</b>: cuspidal"
+    notes: tuple[str, ...] = ("Found in floating point.",)
+    leaves: tuple[Leaf, ...] = (Leaf(1.0, 1, 1), Leaf(0.5, 1, 1), Leaf(0.7, -1, 2))
+    branches: tuple[np.ndarray, ...] = (
+        np.array([[0, 1], [0, 0.2], [1, 0.2], [1, 0.5]]),
+        np.array([[0.5, 0], [0.5, 0.2]]),
+        np.array([[2, 0], [2, 0.7]]),
+    )
+    joins: np.ndarray = field(default_factory=lambda: np.array([[0.5, 0.2]]))
+    clearance: float | None = 0.1
+    ends: dict[str, np.ndarray] = field(
+        default_factory=lambda: {"A": np.array([0, 0.4]), "B": np.array([1, 0.3])}
+    )
+    slices: tuple[Plane, ...] = (Plane(lines=(circle(0.5),)), Plane())
+
+
+def test_a_landscape_has_its_tree_its_planes_and_its_layers() -> None:
+    """Every mark says what it is, every layer has its box, the name is escaped."""
+    page = page_text(landscape_sheet(Hills()))
+    for says in (
+        *("saddle: two groups join at 0.2000", "maximum of |det J|: 0.5000"),
+        *("clearance of the witness: 0.1000", "A, at 0.4000 of the largest"),
+        *("det J &lt; 0, aspect 2", "N (0.100, 0.200)"),
+    ):
+        assert f"<title>{says}" in page.replace("maximum of |det J|: 0.7000, ", "")
+    for layer in ("tree", "maxima", "heights", "singular", "path", "postures"):
+        assert f'id="show-{layer}"' in page
+    assert "<b>hills" not in page
+
+
+def test_a_landscape_without_a_witness_has_no_path() -> None:
+    """No clearance and no line: no box for a path."""
+    bare = replace(Hills(), clearance=None, ends={}, slices=(Plane(),))
+    assert 'id="show-path"' not in page_text(landscape_sheet(bare))

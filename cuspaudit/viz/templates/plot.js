@@ -12,6 +12,7 @@
   }
 
   function postures(event) {
+    if (!cells) return "";
     const box = cells.getBoundingClientRect();
     const x = (event.clientX - box.left) / box.width;
     const y = (event.clientY - box.top) / box.height;
