@@ -8,6 +8,7 @@ from contextlib import suppress
 from typing import Any
 
 from cuspaudit.audit.answer import Answer, answer
+from cuspaudit.audit.time_limit import TimeUp, time_limit
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import CuspauditError, InvalidRobotError, UnableError
 from cuspaudit.geometry.cusps import Count
@@ -21,17 +22,25 @@ __all__ = ["Row", "decide_member", "failed_member"]
 Row = dict[str, Any]
 
 
-def decide_member(family: Family, index: int) -> Row:
+def decide_member(family: Family, index: int, timeout: float | None = None) -> Row:
     """The row of a member; whatever goes wrong with it stands in the row's ``error``.
 
     The numbers are those of the family, not snapped: what a family says is meant.
+
+    Args:
+        family: the family.
+        index: of the member.
+        timeout: seconds it may take, or None; see `time_limit` for where it works.
     """
     row = _parameters(family, index)
     begun = time.perf_counter()
     try:
-        row |= _decided(family, index)
+        with time_limit(timeout):
+            row |= _decided(family, index)
     except CuspauditError as error:
         row["error"] = _one_line(error)
+    except TimeUp:
+        row["error"] = f"the time limit of {timeout:g} s a member has passed"
     except Exception as error:  # one bad member is a row, not the end of a sweep
         row["error"] = f"internal error: {type(error).__name__}: {_one_line(error)}"
     row["seconds"] = round(time.perf_counter() - begun, 4)

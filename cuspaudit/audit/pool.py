@@ -23,14 +23,19 @@ from cuspaudit.kinematics.members import Family
 __all__ = ["LocalPool"]
 
 _AHEAD = 2
-_DIED = "the worker process died on this member, twice (killed, or out of memory)"
+_DIED = (
+    "the worker process died on this member, twice (killed, out of memory, or at twice "
+    "its time limit)"
+)
 
 
 class LocalPool:
     """A pool of processes for the members of one family (a context manager)."""
 
-    def __init__(self, family: Family, workers: int) -> None:
-        self._family, self._workers = family, workers
+    def __init__(
+        self, family: Family, workers: int, timeout: float | None = None
+    ) -> None:
+        self._family, self._workers, self._timeout = family, workers, timeout
         self._pool: ProcessPoolExecutor | None = None
 
     def __enter__(self) -> LocalPool:
@@ -79,7 +84,7 @@ class LocalPool:
         refused = []
         for index in indices:
             if self._pool is None:
-                self._pool = _pool(self._family, self._workers)
+                self._pool = _pool(self._family, self._workers, self._timeout)
             try:
                 running[self._pool.submit(_decide, index)] = index
             except BrokenProcessPool:
@@ -92,7 +97,7 @@ class LocalPool:
         Raises:
             UnableError: processes die before they are given a member.
         """
-        with _pool(self._family, 1) as pool:
+        with _pool(self._family, 1, self._timeout) as pool:
             try:
                 pool.submit(os.getpid).result()
             except BrokenProcessPool:
@@ -112,19 +117,21 @@ def _finished(future: Future[Row]) -> bool:
     return future.done() and not future.cancelled() and future.exception() is None
 
 
-def _pool(family: Family, workers: int) -> ProcessPoolExecutor:
+def _pool(family: Family, workers: int, timeout: float | None) -> ProcessPoolExecutor:
     context = get_context("forkserver")
     context.set_forkserver_preload([__name__])
-    return ProcessPoolExecutor(workers, context, initializer=_begin, initargs=(family,))
+    begin = (family, timeout)
+    return ProcessPoolExecutor(workers, context, initializer=_begin, initargs=begin)
 
 
 _family: Family | None = None
+_timeout: float | None = None
 
 
-def _begin(family: Family) -> None:
+def _begin(family: Family, timeout: float | None) -> None:
     """Make this process ready: it knows the family, and ends with its parent."""
-    global _family
-    _family = family
+    global _family, _timeout
+    _family, _timeout = family, timeout
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     threading.Thread(target=_end_with_parent, daemon=True).start()
 
@@ -138,4 +145,4 @@ def _end_with_parent() -> None:
 
 def _decide(index: int) -> Row:
     assert _family is not None, "the pool was not begun"
-    return decide_member(_family, index)
+    return decide_member(_family, index, _timeout)

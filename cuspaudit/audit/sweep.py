@@ -14,6 +14,7 @@ from cuspaudit.audit.member import Row
 from cuspaudit.audit.pool import LocalPool
 from cuspaudit.audit.store import Store
 from cuspaudit.audit.versions import versions
+from cuspaudit.errors import InvalidInputError
 from cuspaudit.kinematics.family_file import read_family
 from cuspaudit.kinematics.members import Family
 
@@ -50,6 +51,7 @@ def sweep(
     workers: int = 1,
     progress: Callable[[int, int], None] = lambda done, size: None,
     scheduler: str | None = None,
+    timeout: float | None = None,
 ) -> Swept:
     """Decide every member of the family in ``path`` that ``folder`` lacks.
 
@@ -60,18 +62,32 @@ def sweep(
         progress: called with how many indices are dealt with, of how many.
         scheduler: the address of a Dask scheduler that runs already; its workers are
             used instead of processes here.
+        timeout: seconds a member may take; one that takes longer is a row with this
+            as its error. For processes here only.
 
     Raises:
         InvalidRobotError: the family cannot be read.
-        InvalidInputError: the folder belongs to another family or run, or the disk
-            is full.
+        InvalidInputError: the folder belongs to another family or run, the disk is
+            full, or a time limit is asked of a cluster.
     """
     family = read_family(path)
-    runner: AbstractContextManager[Runner] = (
-        DaskCluster(family, scheduler) if scheduler else LocalPool(family, workers)
-    )
+    runner = _runner(family, workers, scheduler, timeout)
     with Store(folder, family, versions(_PACKAGES)) as store, runner as run:
         return _swept(family, store, run, progress)
+
+
+def _runner(
+    family: Family, workers: int, scheduler: str | None, timeout: float | None
+) -> AbstractContextManager[Runner]:
+    if scheduler is None:
+        return LocalPool(family, workers, timeout)
+    if timeout is not None:
+        raise InvalidInputError(
+            file=scheduler,
+            found="a time limit for members, which a cluster does not keep",
+            expected="leave out --timeout, or leave out --scheduler",
+        )
+    return DaskCluster(family, scheduler)
 
 
 def _swept(

@@ -37,13 +37,17 @@ def sweep(
         str | None,
         typer.Option(metavar="ADDRESS", help="A Dask scheduler, tcp://HOST:8786."),
     ] = None,
+    timeout: Annotated[
+        float | None,
+        typer.Option(min=0.01, help="Seconds a member may take; then it is an error."),
+    ] = None,
 ) -> None:
     """Decide every member of a family, exactly; run again to go on after a stop."""
     from cuspaudit.audit.sweep import sweep as run
 
     try:
         with _progress() as report:
-            done = run(family, folder, workers, report, scheduler)
+            done = run(family, folder, workers, report, scheduler, timeout)
     except KeyboardInterrupt:
         typer.echo("cuspaudit: interrupted; the rows so far are kept", err=True)
         raise typer.Exit(130) from None

@@ -12,8 +12,8 @@
     seed: 0
 
 The numbers of the robot are those of a robot file, or expressions in the parameters and
-the derived names (`expressions`); parsed, never evaluated. A sweep adds a ``provenance``, which is not
-part of the family.
+the derived names (`expressions`); parsed, never evaluated. A sweep adds a
+``provenance``, which is not part of the family.
 """
 
 from __future__ import annotations

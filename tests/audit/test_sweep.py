@@ -1,5 +1,6 @@
 from __future__ import annotations
 
+import contextlib
 import dataclasses
 import json
 import os
@@ -20,6 +21,7 @@ from cuspaudit.audit.member import decide_member
 from cuspaudit.audit.pool import LocalPool
 from cuspaudit.audit.store import Store, read_rows
 from cuspaudit.audit.sweep import sweep
+from cuspaudit.audit.time_limit import TimeUp, time_limit
 from cuspaudit.errors import InvalidInputError
 from cuspaudit.kinematics.family_file import read_family
 from cuspaudit.kinematics.members import Family
@@ -203,6 +205,79 @@ def test_a_dying_worker_costs_its_member_only(write: Callable[..., Path]) -> Non
     assert sorted(rows) == list(range(12))
     assert [k for k, row in rows.items() if row.get("error")] == [5]
     assert "died" in rows[5]["error"]
+
+
+class Endless(Family):
+    """A family whose member 2 never ends."""
+
+    def robot(self, index: int) -> Robot:
+        """The robot, except for member 2."""
+        while index == 2:
+            with contextlib.suppress(Exception):
+                time.sleep(0.01)
+        return super().robot(index)
+
+
+class Deaf(Family):
+    """A family whose member 2 cannot be interrupted."""
+
+    def robot(self, index: int) -> Robot:
+        """The robot, except for member 2."""
+        if index == 2:
+            signal.signal(signal.SIGALRM, signal.SIG_IGN)
+        while index == 2:
+            pass
+        return super().robot(index)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("kind", "words"),
+    [
+        (Endless, "the time limit of 1 s a member has passed"),
+        (Deaf, "at twice its time limit"),
+    ],
+)
+def test_a_slow_member_is_a_row(
+    write: Callable[..., Path], kind: type[Family], words: str
+) -> None:
+    """A member beyond its time is a row with this error, and the others are decided."""
+    plain = read_family(write(families.ur_family(6)))
+    fields = {f.name: getattr(plain, f.name) for f in dataclasses.fields(plain)}
+    with LocalPool(kind(**fields), 2, timeout=1) as pool:
+        rows = {row["index"]: row for row in pool.rows(range(6))}
+    assert sorted(rows) == list(range(6))
+    errors = {k: row["error"] for k, row in rows.items() if row.get("error")}
+    assert list(errors) == [2], errors
+    assert words in errors[2]
+
+
+def test_a_member_beyond_its_time_is_a_row(write: Callable[..., Path]) -> None:
+    """The paper's arm in a millisecond: an error, and no verdict."""
+    file = write(
+        families.ORTHOGONAL + "parameters: {a2: {values: [2]}, a3: {values: [3/2]}, "
+        "d2: {values: [1]}}\n"
+    )
+    row = decide_member(read_family(file), 0, timeout=0.001)
+    assert row["error"] == "the time limit of 0.001 s a member has passed"
+    assert row["a2"] == 2.0
+    assert "verdict" not in row
+
+
+def test_no_limit_is_left_running() -> None:
+    """After a block that ends in time nothing rings."""
+    with time_limit(0.05):
+        pass
+    time.sleep(0.1)
+    with pytest.raises(TimeUp), time_limit(0.05):
+        time.sleep(10)
+
+
+def test_a_cluster_keeps_no_limit(write: Callable[..., Path], tmp_path: Path) -> None:
+    """A time limit asked of a cluster is refused before anything is written."""
+    with pytest.raises(InvalidInputError, match="leave out --timeout"):
+        sweep(write(QUICK), tmp_path / "out", scheduler="tcp://x:1", timeout=1)
+    assert not (tmp_path / "out").exists()
 
 
 def killed_and_resumed(file: Path, folder: Path, kills: int, longest: float) -> None:
