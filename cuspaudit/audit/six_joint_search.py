@@ -34,7 +34,7 @@ _MOST = 192
 _STARTS = 256
 _CLIMBS = 64
 _CLIMBED = 8
-_KEPT = 12
+_KEPT = 5
 _ROUNDING = 1e-9
 
 

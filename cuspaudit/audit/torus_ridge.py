@@ -77,23 +77,26 @@ class Ridge:
     def _join(self, passes: Array, ways: Array) -> None:
         """Fill the table of ways: straight ones that are high, else over a pass."""
         n, m = len(self.peaks), len(passes)
-        start = np.broadcast_to(self.peaks[:, None], (n, n, 4))
-        end = np.broadcast_to(self.peaks[None], (n, n, 4))
-        target, low = straight(self.h, np.full((n, n), self.sign), start, end)
-        high = low > _STRAIGHT * np.abs(self.h(self.peaks)).max(initial=0.0)
-        self._low = np.where(high, low, 0.0)
-        self._ways = {
-            (int(i), int(j)): np.array([self.peaks[i], target[i, j]])
-            for i, j in zip(*np.nonzero(high), strict=True)
-        }
+        self._low: Array = np.zeros((n, n))
+        self._ways: dict[tuple[int, int], Array] = {}
+        above, below = np.triu_indices(n, 1)
+        start, end = self.peaks[above], self.peaks[below]
+        target, low = straight(self.h, np.full(len(start), self.sign), start, end)
+        floor = _STRAIGHT * np.abs(self.h(self.peaks)).max(initial=0.0)
+        for k in np.nonzero(low > floor)[0]:
+            way = np.array([start[k], target[k]])
+            self._keep(int(above[k]), int(below[k]), float(low[k]), way)
         near = self._nearest(ways[-1]) if n else np.zeros(0, dtype=np.int64)
         for k in range(m if n else 0):
             i, j, level = near[k], near[m + k], self.sign * float(self.h(passes[k]))
             if i != j and level > self._low[i, j]:
-                self._low[i, j] = self._low[j, i] = level
                 way = np.vstack([ways[::-1, k], passes[k], ways[:, m + k]])
-                self._ways[int(i), int(j)], self._ways[int(j), int(i)] = way, way[::-1]
+                self._keep(int(i), int(j), level, way)
         self._via = _widest(self._low)
+
+    def _keep(self, i: int, j: int, level: float, way: Array) -> None:
+        self._low[i, j] = self._low[j, i] = level
+        self._ways[i, j], self._ways[j, i] = way, way[::-1]
 
     def levels(self, tops: Array) -> Array:
         """The smallest |h| on the widest way between tops of ascents, (m, m)."""
