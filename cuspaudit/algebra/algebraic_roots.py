@@ -8,16 +8,22 @@ coefficients, lowest first, the last one not 0.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from itertools import combinations, pairwise, product
+from functools import lru_cache
+from itertools import combinations, pairwise
 
-from flint import acb_poly, arb, arb_poly, ctx, fmpq, fmpq_poly
+from flint import acb, acb_poly, arb, arb_poly, ctx, fmpq, fmpq_poly
 
-from cuspaudit.algebra.univariate import PRECISIONS, RealRoot
+from cuspaudit.algebra.elimination import discriminant, resultant
+from cuspaudit.algebra.ring import Polynomial, Ring
+from cuspaudit.algebra.univariate import PRECISIONS, RealRoot, Univariate
 from cuspaudit.errors import PrecisionError
 
 __all__ = ["real_roots_over"]
 
 _Row = list[fmpq_poly]
+_Key = tuple[tuple[fmpq, ...], ...]
+
+_RING = Ring(["w", "z"])
 
 #: FLINT's iteration stands still on 4 z^2 + 73 z + 333, but not from elsewhere
 _SHIFTS = (fmpq(0), fmpq(1, 3), fmpq(-5, 7))
@@ -40,37 +46,86 @@ def real_roots_over(
         PrecisionError: two zeros were not separated.
     """
     m = fmpq_poly(root.polynomial)
-    rows = [row for row in (_reduced(p, m) for p in polynomials) if len(row) > 1]
-    rows = _coprime([_square_free(row, m) for row in rows], m)
-    for bits, shift in product(PRECISIONS[1:], _SHIFTS):
-        found = _isolated(rows, root, bits, shift)
+    rows = [_cut(p, m) for p in polynomials]
+    found = _with_double_zeros([row for row in rows if len(row) > 1], root)
+    if found is not None:
+        return found
+    reduced = [row for row in (_reduced(p, m) for p in rows) if len(row) > 1]
+    reduced = _coprime([_square_free(row, m) for row in reduced], m)
+    for bits in PRECISIONS[1:]:
+        with ctx.workprec(bits):
+            found = _real(_isolated(_product(reduced, root.enclosure(bits))))
         if found is not None:
             return found
     raise PrecisionError("real roots over a real root", PRECISIONS[-1])
 
 
-def _isolated(
-    rows: list[_Row], root: RealRoot, bits: int, shift: fmpq
-) -> list[arb] | None:
-    """The real zeros, if balls prove that all complex zeros are distinct.
+def _with_double_zeros(rows: list[_Row], root: RealRoot) -> list[arb] | None:
+    """The real zeros of P = p_1 ... p_k when no zero is worse than double, or None.
+
+    Let e be the number of polynomials with discriminant 0 at alpha and of pairs with
+    resultant 0 there. If P' has distinct zeros, every multiple zero of P is double and
+    accounts for one of these at most, so there are e at least; if P is perhaps 0 at
+    e zeros of P' only, these are all, and P / prod (z - b)^2 has distinct zeros.
+    """
+    m = fmpq_poly(root.polynomial)
+    keys = [tuple(tuple(c.coeffs()) for c in row) for row in rows]
+    double = sum(_discriminant(key) % m == 0 for key in keys if len(key) > 2)
+    double += sum(_resultant(a, b) % m == 0 for a, b in combinations(keys, 2))
+    for bits in PRECISIONS[1:5]:
+        with ctx.workprec(bits):
+            total = _product(rows, root.enclosure(bits))
+            zeros = _isolated(total.derivative()) if double else []
+            if zeros is None:
+                continue
+            known = [z for z in zeros if acb_poly(total)(z).contains(0)]
+            rest = acb_poly(total)
+            for z in known:
+                rest = _divided(_divided(rest, z), z)
+            others = _isolated(rest) if len(known) == double else None
+            found = None if others is None else _real([*known, *others])
+        if found is not None:
+            return found
+    return None
+
+
+def _product(rows: list[_Row], alpha: arb) -> arb_poly:
+    total = arb_poly([1])
+    for row in rows:
+        total *= arb_poly([arb_poly(c)(alpha) for c in row])
+    return total
+
+
+def _divided(polynomial: acb_poly, zero: acb) -> acb_poly:
+    """The quotient by z - ``zero``, where the remainder is 0."""
+    quotient, carry = [], acb(0)
+    for c in reversed(polynomial.coeffs()[1:]):
+        carry = c + carry * zero
+        quotient.append(carry)
+    return acb_poly(quotient[::-1])
+
+
+def _isolated(polynomial: arb_poly | acb_poly) -> list[acb] | None:
+    """Disjoint balls of the complex zeros, if they are proved to be distinct."""
+    if polynomial.degree() < 1:
+        return []
+    for shift in _SHIFTS:
+        moved = acb_poly(polynomial)(acb_poly([shift, 1]))
+        try:
+            return [z + shift for z in moved.roots(arb(2) ** -(ctx.prec // 4))]
+        except ValueError:
+            continue
+    return None
+
+
+def _real(zeros: list[acb] | None) -> list[arb] | None:
+    """The real ones of disjoint zeros of a real polynomial, if that is proved.
 
     A zero is real when the smallest box symmetric in the real axis round its ball
     meets no other ball: its conjugate is a zero in the box.
     """
-    if not rows:
-        return []
-    saved, ctx.prec = ctx.prec, bits
-    try:
-        alpha = root.enclosure(bits)
-        total = arb_poly([1])
-        for row in rows:
-            total *= arb_poly([arb_poly(c)(alpha) for c in row])
-        moved = acb_poly(total(arb_poly([shift, 1])))
-        zeros = [z + shift for z in moved.roots(arb(2) ** -(bits // 4))]
-    except ValueError:
+    if zeros is None:
         return None
-    finally:
-        ctx.prec = saved
     touching = [z for z in zeros if z.imag.contains(0)]
     for z in touching:
         tall = arb(0, abs(z.imag).upper())
@@ -78,9 +133,33 @@ def _isolated(
         if len(near) > 1:
             return None
     balls = sorted((z.real for z in touching), key=lambda ball: ball.mid())
-    if any(not a < b for a, b in pairwise(balls)):
-        return None
-    return balls
+    return balls if all(a < b for a, b in pairwise(balls)) else None
+
+
+@lru_cache(maxsize=256)
+def _discriminant(key: _Key) -> fmpq_poly:
+    p = _bivariate(key)
+    return Univariate.from_polynomial(_RING, discriminant(_RING, p, "z"), "w").rational
+
+
+@lru_cache(maxsize=256)
+def _resultant(first: _Key, second: _Key) -> fmpq_poly:
+    p, q = _bivariate(first), _bivariate(second)
+    return Univariate.from_polynomial(_RING, resultant(_RING, p, q, "z"), "w").rational
+
+
+def _bivariate(key: _Key) -> Polynomial:
+    terms: dict[tuple[int, ...], fmpq]
+    terms = {(i, j): c for j, row in enumerate(key) for i, c in enumerate(row) if c}
+    return _RING.context.from_dict(terms)
+
+
+def _cut(polynomial: Sequence[fmpq_poly], m: fmpq_poly) -> _Row:
+    """The polynomial without the leading coefficients that are 0 at the root."""
+    row = list(polynomial)
+    while row and row[-1] % m == 0:
+        row.pop()
+    return row
 
 
 def _reduced(polynomial: Sequence[fmpq_poly], m: fmpq_poly) -> _Row:

@@ -2,8 +2,10 @@ from __future__ import annotations
 
 import random
 
+import pytest
 from flint import arb, fmpq_poly, fmpz_poly
 
+from cuspaudit.algebra import algebraic_roots
 from cuspaudit.algebra.algebraic_roots import real_roots_over
 from cuspaudit.algebra.univariate import RealRoot
 
@@ -90,3 +92,28 @@ def test_a_quadratic_on_which_the_iteration_stands_still() -> None:
     low, high = middles([row])
     assert abs(low + 9.25) < 1e-12
     assert abs(high + 9) < 1e-12
+
+
+def test_both_routes_give_the_same_zeros() -> None:
+    """Double zeros found from facts about discriminants are those of Euclid."""
+    chance = random.Random(2)
+    m = fmpq_poly(SQRT2.polynomial)
+    quick = 0
+    for _ in range(20):
+        rows = [
+            times(
+                [fmpq_poly([chance.randint(-2, 2), chance.randint(-1, 1)]), ONE],
+                [fmpq_poly([chance.randint(-2, 2) for _ in range(2)]), -W, ONE],
+            )
+            for _ in range(2)
+        ]
+        rows.append([m * chance.randint(0, 1) - W, fmpq_poly([0]), fmpq_poly([3])])
+        fast = algebraic_roots._with_double_zeros(rows, SQRT2)
+        with pytest.MonkeyPatch.context() as patch:
+            patch.setattr(algebraic_roots, "_with_double_zeros", lambda *_: None)
+            slow = real_roots_over(rows, SQRT2)
+        if fast is not None:
+            quick += 1
+            assert len(fast) == len(slow)
+            assert all(a.overlaps(b) for a, b in zip(fast, slow, strict=True))
+    assert quick > 10
