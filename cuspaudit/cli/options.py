@@ -69,5 +69,9 @@ EngineName = Annotated[Engine, typer.Option(help="Route of the decision.")]
 Seed = Annotated[int, typer.Option(help="Seed of every random choice.")]
 Timeout = Annotated[
     float | None,
-    typer.Option(min=0.0, help="Seconds after which no further step is begun."),
+    typer.Option(
+        min=0.0,
+        help="Seconds after which no further step is begun; a third of what is left "
+        "may go into counting the aspects of a general six-joint arm.",
+    ),
 ]

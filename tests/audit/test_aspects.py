@@ -9,6 +9,7 @@ from short_tables import Number, arm
 from cuspaudit.audit.answer import answer
 from cuspaudit.audit.aspects import aspect_components, count_aspects
 from cuspaudit.audit.library import open_robot
+from cuspaudit.audit.report import Options, audit
 from cuspaudit.errors import UnableError
 from cuspaudit.kinematics.exact_model import ExactModel, exact_model
 from cuspaudit.kinematics.frames import angle_value
@@ -82,3 +83,17 @@ def test_a_general_arm_is_refused() -> None:
     assert count_aspects(model) is None
     with pytest.raises(UnableError, match="linear along no circle"):
         aspect_components(model)
+
+
+def test_a_cover_out_of_time_is_no_count() -> None:
+    """No number is claimed when the time is up."""
+    assert count_aspects(model_of("raghavan-roth"), 0.0) is None
+
+
+@pytest.mark.slow
+def test_a_time_limit_is_used_to_count_the_aspects_of_a_general_arm() -> None:
+    """The audit of an arm that no theorem covers counts by covers, if given time."""
+    robot = open_robot("hyperplane-6r")
+    record = audit(robot, Options(timeout=300)).record()
+    assert record["aspects"] == {"count": 2, "proved": True}
+    assert record["seconds"]["aspects"] > 0
