@@ -101,7 +101,7 @@ def search_witness(
         most: random poses to be tried.
     """
     found = search(chain, seed, progress, most)
-    refused = ""
+    refused, proved = "", list[Witness]()
     for proposal in found.proposals:
         try:
             witness = certified(chain, close(chain, proposal.path), found.largest)
@@ -109,9 +109,11 @@ def search_witness(
             refused = str(unlucky)
             continue
         if witness.verification.accepted:
-            return Searched(witness, found.record, refused, found.largest)
-        refused = witness.verification.reason
-    return Searched(None, found.record, refused, found.largest)
+            proved.append(witness)
+        else:
+            refused = witness.verification.reason
+    best = max(proved, key=lambda witness: witness.clearance or 0.0, default=None)
+    return Searched(best, found.record, refused, found.largest)
 
 
 def _postures(record: SearchRecord) -> Count | None:

@@ -117,13 +117,15 @@ def tidy(h: TorusDeterminant, sign: float, path: Array) -> Array:
     cut off (Chaikin), which moves no end.
     """
     floor = _KEEP * height_of(h, sign, path)
-    path = _shortened(h, sign, path, floor)
-    for _ in range(_CUTS if len(path) > 2 else 0):
-        cut = _corners_cut(path)
+    shorter = _shortened(h, sign, path, floor)
+    if height_of(h, sign, shorter) < floor:
+        return path
+    for _ in range(_CUTS if len(shorter) > 2 else 0):
+        cut = _corners_cut(shorter)
         if height_of(h, sign, cut) < floor:
             break
-        path = cut
-    return path
+        shorter = cut
+    return shorter
 
 
 def _shortened(h: TorusDeterminant, sign: float, path: Array, floor: float) -> Array:
