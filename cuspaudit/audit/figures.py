@@ -8,7 +8,7 @@ from fractions import Fraction
 import numpy as np
 
 from cuspaudit.algebra.ring import Rational, rational
-from cuspaudit.audit.answer import Answer, answer
+from cuspaudit.audit.answer import Answer
 from cuspaudit.audit.critical_curve import pieces, trace, wall_pieces
 from cuspaudit.audit.critical_points import critical_points
 from cuspaudit.audit.joint_plane import JointPlane, joint_plane
@@ -19,12 +19,8 @@ from cuspaudit.cuspidality.witness import posture_angles, propose_path
 from cuspaudit.errors import InvalidInputError, UnableError
 from cuspaudit.geometry.graph_isotop import RoadmapGraph, graph_isotop
 from cuspaudit.geometry.sample_points import Fiber, sample_points
-from cuspaudit.kinematics.exact_model import exact_model
-from cuspaudit.kinematics.robot import Robot
-from cuspaudit.kinematics.snap_policy import DEFAULT_POLICY, SnapPolicy
-from cuspaudit.kinematics.snapping import snap
 
-__all__ = ["Figures", "figures", "figures_of"]
+__all__ = ["Figures", "figures"]
 
 Point = tuple[Fraction, Fraction]
 
@@ -46,27 +42,18 @@ class Figures:
     joint: JointPlane
 
 
-def figures_of(
-    robot: Robot, at: Point | None = None, policy: SnapPolicy = DEFAULT_POLICY
-) -> Figures:
-    """The figures of a robot, of its snapped chain.
+def figures(found: Answer, at: Point | None = None) -> Figures:
+    """The figures that belong to an answer of the exact engine.
 
     Args:
-        robot: an arm of three joints, or of six with a spherical wrist or shoulder.
+        found: for an arm of three joints, or one reduced to its three joints.
         at: the point whose postures are drawn, in the coordinates of the plane of
             values; by default a sample value.
-        policy: which numbers are taken for others.
 
     Raises:
         UnableError: Algorithm 1 was not run for this arm, so there is nothing to draw.
-        AssumptionError: a hypothesis fails for this arm.
         InvalidInputError: ``at`` is critical, or out of reach.
     """
-    return figures(answer(exact_model(snap(robot.chain, policy)[0])), at)
-
-
-def figures(found: Answer, at: Point | None = None) -> Figures:
-    """The figures that belong to an answer of the exact engine; see `figures_of`."""
     decision, reduction = found.decision, found.reduction
     model = found.model if reduction is None else reduction.regional
     if decision is None or model is None:

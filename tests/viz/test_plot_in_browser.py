@@ -7,8 +7,10 @@ import pytest
 from axe_playwright_python.sync_playwright import Axe
 from visits import PHONE, Visit
 
-from cuspaudit.audit.figures import figures_of
+from cuspaudit.audit.landscape import Landscape, picture_of
 from cuspaudit.audit.library import open_robot
+from cuspaudit.audit.report import Options
+from cuspaudit.viz.landscape import landscape_sheet
 from cuspaudit.viz.plot_files import save_plot
 
 pytestmark = pytest.mark.browser
@@ -18,7 +20,18 @@ pytestmark = pytest.mark.browser
 def page(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The figures of the paper's arm as a page."""
     path = tmp_path_factory.mktemp("plots") / "issac.html"
-    save_plot(figures_of(open_robot("chablat-2022-3r-mirror")), path)
+    drawn = picture_of(open_robot("chablat-2022-3r-mirror"), None, Options())
+    save_plot(drawn, path)
+    return path
+
+
+@pytest.fixture(scope="module")
+def landscape(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The landscape of a UR5 as a page."""
+    path = tmp_path_factory.mktemp("plots") / "ur5.html"
+    found = picture_of(open_robot("ur5"), None, Options())
+    assert isinstance(found, Landscape)
+    save_plot(landscape_sheet(found), path)
     return path
 
 
@@ -81,4 +94,21 @@ def test_a_phone_in_the_dark_shows_it_too(
     found = Axe().run(visit.page).response["violations"]
     assert [v["id"] for v in found if v["impact"] in ("serious", "critical")] == []
     visit.keep(output / f"plot-phone-{scheme}.png")
+    visit.close()
+
+
+def test_a_landscape_is_read_and_dimmed_like_the_figures(
+    browser: Any, landscape: Path, output: Path
+) -> None:
+    """A maximum says its level, layers can be hidden, axe-core has no complaint."""
+    visit = Visit(browser, landscape, color_scheme="dark")
+    maximum = visit.page.locator('#figure [id^="maxima-"]').first
+    maximum.dispatch_event("pointermove", {"clientX": 100, "clientY": 300})
+    assert visit.page.inner_text("#says").startswith("maximum of |det J|: 1.0000")
+    visit.page.uncheck("#show-maxima")
+    assert not maximum.is_visible()
+    visit.page.check("#show-maxima")
+    found = Axe().run(visit.page).response["violations"]
+    assert [v["id"] for v in found if v["impact"] in ("serious", "critical")] == []
+    visit.keep(output / "landscape-dark.png")
     visit.close()
