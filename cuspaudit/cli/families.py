@@ -2,19 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+import os
+import shlex
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated
+from urllib.parse import quote
 
 import typer
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TaskID, TextColumn
 from rich.progress import TimeRemainingColumn as Remaining
 
+from cuspaudit.cli.member_audits import audit_members, kept_audits
 from cuspaudit.errors import InvalidInputError
 
-__all__ = ["Colour", "Fix", "X", "Y", "plot_family", "sweep"]
+__all__ = ["Audits", "Colour", "Fix", "Plane", "X", "Y", "plot_family", "sweep"]
 
 X = Annotated[str | None, typer.Option("--x", help="DIR: the parameter to the right.")]
 Y = Annotated[str | None, typer.Option("--y", help="DIR: the parameter upwards.")]
@@ -22,6 +27,14 @@ Colour = Annotated[str, typer.Option(help="DIR: verdict, cusps, nodes, aspects, 
 Fix = Annotated[
     list[str] | None,
     typer.Option(metavar="NAME=VALUE", help="DIR: hold a parameter; repeatable."),
+]
+Audits = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--audit",
+        metavar="INDEX|all",
+        help="DIR: audit this member, so that a click opens its page; repeatable.",
+    ),
 ]
 
 
@@ -57,16 +70,27 @@ def sweep(
     )
 
 
+@dataclass(frozen=True)
+class Plane:
+    """What of a sweep is drawn, as the user wrote it."""
+
+    x: str | None
+    y: str | None
+    colour: str
+    fix: tuple[str, ...]
+
+    @property
+    def words(self) -> list[str]:
+        """The options that say the same."""
+        options = [("--x", self.x), ("--y", self.y), ("--colour", self.colour)]
+        options += [("--fix", entry) for entry in self.fix]
+        return [word for name, value in options if value for word in (name, value)]
+
+
 def plot_family(
-    folder: Path,
-    output: Path,
-    *,
-    x: str | None,
-    y: str | None,
-    colour: str,
-    fix: list[str] | None,
+    folder: Path, output: Path, plane: Plane, audits: Sequence[str]
 ) -> None:
-    """Draw the phase diagram of a sweep.
+    """Draw the phase diagram of a sweep, and audit the members asked for.
 
     Raises:
         InvalidInputError: no sweep, an unknown name, or a file that cannot be written.
@@ -82,17 +106,36 @@ def plot_family(
             found="no format that can be drawn",
             expected="end the name in one of .png, .svg, .html",
         )
+    if audits and ending != ".html":
+        raise InvalidInputError(
+            file=str(output),
+            found="a picture, which opens no audit",
+            expected="end the name in .html, or leave out --audit",
+        )
     check_writable(output)
-    fixed = dict(entry.partition("=")[::2] for entry in fix or [])
-    shown = phases_of(folder, x, y, colour, fixed)
+    fixed = dict(entry.partition("=")[::2] for entry in plane.fix)
+    shown = phases_of(folder, plane.x, plane.y, plane.colour, fixed)
     drawn = (shown.rows, shown.x, shown.y, shown.colour)
     if ending == ".png":
         output.write_bytes(draw_phases(*drawn, "png"))
     else:
         svg = draw_phases(*drawn, "svg")
-        page = phase_page(svg, shown.title, shown.files)
-        write_text(output, page if ending == ".html" else svg.decode())
+        text = svg.decode()
+        if ending == ".html":
+            audit_members(folder, shown.files, audits)
+            pages = _addresses(kept_audits(folder, shown.files), output)
+            words = ["cuspaudit", "plot", str(folder), "-o", str(output), *plane.words]
+            text = phase_page(svg, shown.title, shown.files, pages, shlex.join(words))
+        write_text(output, text)
     typer.echo(f"figure: {output}, {len(shown.rows)} members")
+
+
+def _addresses(pages: Mapping[int, Path], output: Path) -> dict[int, str]:
+    """The pages as they are found from ``output``."""
+    return {
+        index: quote(os.path.relpath(page, output.parent))
+        for index, page in pages.items()
+    }
 
 
 @contextmanager

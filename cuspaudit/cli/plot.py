@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from cuspaudit.cli.families import Colour, Fix, X, Y, plot_family
+from cuspaudit.cli.families import Audits, Colour, Fix, Plane, X, Y, plot_family
 from cuspaudit.cli.opening import open_named
 from cuspaudit.cli.options import (
     AngleUnit,
@@ -53,6 +53,7 @@ def plot(
     y: Y = None,
     colour: Colour = "verdict",
     fix: Fix = None,
+    audits: Audits = None,
 ) -> None:
     """Draw an arm, or the phase diagram of a sweep's DIR.
 
@@ -62,7 +63,8 @@ def plot(
     `cuspaudit plot DIR -o phases.html --fix d2=1`.
     """
     if Path(robot).is_dir():
-        plot_family(Path(robot), output, x=x, y=y, colour=colour, fix=fix)
+        plane = Plane(x, y, colour, tuple(fix or ()))
+        plot_family(Path(robot), output, plane, audits or [])
     else:
         opened, _ = open_named(robot, base, tip, task, lock, convention, angle_unit)
         _plot_robot(opened, output, snap, at)

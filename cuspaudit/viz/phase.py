@@ -9,17 +9,19 @@ from __future__ import annotations
 
 import html
 import io
-import json
 import re
 from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
+from markupsafe import Markup
 from matplotlib import colormaps
 from matplotlib.colors import BoundaryNorm, ListedColormap
 from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 from numpy.typing import NDArray
+
+from cuspaudit.viz.offline import asset, environment, policy
 
 __all__ = ["draw_phases", "phase_page"]
 
@@ -30,26 +32,6 @@ _VERDICTS = {
     "undecided": "#ccbb44",
     "error": "#bbbbbb",
 }
-_HEAD = """<!DOCTYPE html>
-<html lang="en"><meta charset="utf-8"><title>{title}</title>
-<style>body{{font:15px sans-serif;margin:2em}}svg{{max-width:100%;height:auto}}
-pre{{background:#f4f4f4;padding:1em}}a{{cursor:pointer}}</style>
-<h1>{title}</h1>
-{svg}
-<p>Hover over a member for its numbers; click it for its robot file, which
-<code>cuspaudit audit</code> reads.</p>
-<pre id="member"></pre>
-<script>
-const members = {members};
-for (const [index, text] of Object.entries(members)) {{
-  const dot = document.getElementById("member-" + index);
-  if (dot) dot.addEventListener("click", () => {{
-    document.getElementById("member").textContent = text;
-  }});
-}}
-</script></html>
-"""
-
 Rows = Sequence[Mapping[str, Any]]
 
 
@@ -101,20 +83,35 @@ def draw_phases(rows: Rows, x: str, y: str, colour: str, file_format: str) -> by
     return _titled(picture, rows, colour, x, y) if file_format == "svg" else picture
 
 
-def phase_page(svg: bytes, title: str, files: Mapping[int, str]) -> str:
-    """One offline page: the diagram, and the robot file of the member clicked.
+def phase_page(
+    svg: bytes,
+    title: str,
+    files: Mapping[int, str],
+    audits: Mapping[int, str],
+    command: str,
+) -> str:
+    """One offline page: the diagram, whose members lead to their audits.
 
     Args:
         svg: the diagram of `draw_phases`.
         title: of the page.
         files: member index to the text of its robot file.
+        audits: member index to the address of its audit, of those that have one.
+        command: what draws this page again; ``--audit INDEX`` is shown after it.
     """
-    members = json.dumps({str(k): text for k, text in files.items()})
-    picture = svg.decode("utf-8")
-    return _HEAD.format(
-        title=html.escape(title),
-        svg=picture[picture.index("<svg") :],
-        members=members.replace("<", "\\u003c"),
+    picture, script = svg.decode("utf-8"), asset("phases.js")
+    members = {"command": command, "files": files, "audits": audits}
+    return (
+        environment()
+        .get_template("phases.html")
+        .render(
+            title=title,
+            svg=Markup(picture[picture.index("<svg") :]),
+            members=members,
+            style=Markup(asset("plot.css")),
+            script=Markup(script),
+            policy=policy([script]),
+        )
     )
 
 

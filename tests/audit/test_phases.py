@@ -44,11 +44,12 @@ def test_every_member_has_its_title(swept: Path) -> None:
     titles = re.findall(r"<title>(member [^<]*)</title>", svg.decode())
     assert len(titles) == 9
     assert titles[0] == "member 1, a2 = 0.2, a3 = 0.3, verdict: noncuspidal"
-    page = phase_page(svg, shown.title, shown.files)
+    page = phase_page(svg, shown.title, shown.files, {1: "out/1.html"}, "plot out")
     assert page.count("<title>member") == 9
     assert "ur-pattern-1" in page
+    assert '"1": "out/1.html"' in page
     assert "http://www.w3.org" in page
-    assert "src=" not in page
+    assert " src=" not in page
     assert draw_phases(*drawn, "png").startswith(b"\x89PNG")
 
 

@@ -54,6 +54,27 @@ def test_sweep_then_plot(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> 
     assert page.read_text().count("<title>member") == 8
 
 
+def test_a_member_is_audited_once(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """`plot --audit` keeps robot file and page of a member, and the map leads there."""
+    file, out, page = tmp_path / "f.yaml", tmp_path / "out", tmp_path / "map.html"
+    file.write_text(FAMILY)
+    run("sweep", file, "-o", out, capsys=capsys)
+    status, _, err = run("plot", out, "-o", page, "--audit", 5, capsys=capsys)
+    assert (status, err) == (0, "")
+    kept = out / "audits" / "5.html"
+    assert "noncuspidal" in kept.read_text()
+    assert kept.with_suffix(".yaml").read_text().startswith("name: ur-pattern-5")
+    assert '"5": "out/audits/5.html"' in page.read_text()
+    made = kept.stat().st_mtime_ns
+    run("plot", out, "-o", page, "--audit", 5, capsys=capsys)
+    assert kept.stat().st_mtime_ns == made
+    for words in ((page, "--audit", 99), (tmp_path / "map.svg", "--audit", 5)):
+        status, _, err = run("plot", out, "-o", *words, capsys=capsys)
+        assert (status, err.count("\n")) == (2, 1)
+
+
 @pytest.mark.parametrize("command", ["sweep", "plot"])
 def test_help_shows_an_example(
     command: str, capsys: pytest.CaptureFixture[str]
