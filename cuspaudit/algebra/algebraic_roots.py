@@ -54,7 +54,8 @@ def real_roots_over(
     reduced = _coprime([_square_free(row, m) for row in reduced], m)
     for bits in PRECISIONS[1:]:
         with ctx.workprec(bits):
-            found = _real(_isolated(_product(reduced, root.enclosure(bits))))
+            total = _product(reduced, root.enclosure(bits))
+            found = _real(_isolated(total, _SHIFTS))
         if found is not None:
             return found
     raise PrecisionError("real roots over a real root", PRECISIONS[-1])
@@ -72,7 +73,7 @@ def _with_double_zeros(rows: list[_Row], root: RealRoot) -> list[arb] | None:
     keys = [tuple(tuple(c.coeffs()) for c in row) for row in rows]
     double = sum(_discriminant(key) % m == 0 for key in keys if len(key) > 2)
     double += sum(_resultant(a, b) % m == 0 for a, b in combinations(keys, 2))
-    for bits in PRECISIONS[1:5]:
+    for bits in PRECISIONS[1:3]:
         with ctx.workprec(bits):
             total = _product(rows, root.enclosure(bits))
             zeros = _isolated(total.derivative()) if double else []
@@ -105,11 +106,13 @@ def _divided(polynomial: acb_poly, zero: acb) -> acb_poly:
     return acb_poly(quotient[::-1])
 
 
-def _isolated(polynomial: arb_poly | acb_poly) -> list[acb] | None:
+def _isolated(
+    polynomial: arb_poly | acb_poly, shifts: Sequence[fmpq] = _SHIFTS[:1]
+) -> list[acb] | None:
     """Disjoint balls of the complex zeros, if they are proved to be distinct."""
     if polynomial.degree() < 1:
         return []
-    for shift in _SHIFTS:
+    for shift in shifts:
         moved = acb_poly(polynomial)(acb_poly([shift, 1]))
         try:
             return [z + shift for z in moved.roots(arb(2) ** -(ctx.prec // 4))]
