@@ -5,14 +5,17 @@ from cuspaudit.geometry.atypical_values import atypical_values
 from cuspaudit.geometry.continuation import continue_point
 from cuspaudit.geometry.crit import crit
 from cuspaudit.geometry.cusps import cusps
+from cuspaudit.geometry.generic_fiber import generic_fiber
 from cuspaudit.geometry.graph_connected import graph_connected
 from cuspaudit.geometry.graph_isotop import graph_isotop
 from cuspaudit.geometry.nodes import nodes
+from cuspaudit.geometry.open_cells import open_cells
 from cuspaudit.geometry.proved_path import prove_path
 from cuspaudit.geometry.roadmap import roadmap
 from cuspaudit.geometry.routing import routing
 from cuspaudit.geometry.sample_points import sample_points
 from cuspaudit.geometry.sample_points_rational import sample_points_rational
+from cuspaudit.geometry.sheet_roadmap import sheet_roadmap
 
 __all__ = [
     "atypical_values",
@@ -20,12 +23,15 @@ __all__ = [
     "continue_point",
     "crit",
     "cusps",
+    "generic_fiber",
     "graph_connected",
     "graph_isotop",
     "nodes",
+    "open_cells",
     "prove_path",
     "roadmap",
     "routing",
     "sample_points",
     "sample_points_rational",
+    "sheet_roadmap",
 ]
