@@ -26,6 +26,7 @@ _DIGITS = 12
 _NEWTON = 25
 _STARTS = 12
 _REACHED = 1e-9
+_TURNS = (0.0, *(k * math.pi / 6 for k in range(1, 12)))
 
 
 def lift_position(model: ExactModel, path: SurfacePath) -> Array:
@@ -50,25 +51,34 @@ def lift_wrist(
     """The path of six joints over a path of the first three, (m + 1, 6).
 
     The wrist keeps still, as far from singular as it can, while the first three
-    joints move; then it turns to the first orientation.
+    joints move; then it turns to the first orientation. A wrist that does not reach
+    all orientations is tried at several turns of joint 4.
 
     Raises:
         RetryableError: the wanted orientation is too near the wrist's singularity.
     """
     middle = wrist_middle(chain, regional[0])
-    found: list[tuple[float, Array]] = []
-    for tilt in tilts:
-        first = np.r_[regional[0], 0.0, middle + tilt, 0.0]
-        wrist = _wrist_at(chain, first, regional[-1], middle)
-        if wrist is not None:
-            still = np.tile(first[3:], (len(regional), 1))
-            last = np.r_[regional[-1], wrist]
-            spread = min(wrist_spread(p, middle) for p in (first, last))
-            path = np.vstack([np.column_stack([regional, still]), last])
-            found.append((spread, path))
-    if not found:
-        raise RetryableError("the wrist cannot bring the hand back away from singular")
-    return max(found, key=lambda pair: pair[0])[1]
+    for turn in _TURNS:
+        starts = [np.array([turn, middle + tilt, 0.0]) for tilt in tilts]
+        lifted = (_lifted_wrist(chain, regional, start, middle) for start in starts)
+        found = [pair for pair in lifted if pair is not None]
+        if found:
+            return max(found, key=lambda pair: pair[0])[1]
+    raise RetryableError("the wrist cannot bring the hand back away from singular")
+
+
+def _lifted_wrist(
+    chain: Chain, regional: Array, start: Array, middle: float
+) -> tuple[float, Array] | None:
+    """The smaller wrist spread of the ends and the path with the wrist at ``start``."""
+    first = np.r_[regional[0], start]
+    wrist = _wrist_at(chain, first, regional[-1], middle)
+    if wrist is None:
+        return None
+    last = np.r_[regional[-1], wrist]
+    spread = min(wrist_spread(p, middle) for p in (first, last))
+    still = np.tile(start, (len(regional), 1))
+    return spread, np.vstack([np.column_stack([regional, still]), last])
 
 
 def close(chain: Chain, path: Array) -> Array:

@@ -6,25 +6,33 @@ the docstring of the function that applies it.
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Literal
 
 from cuspaudit.algebra.rationals import exact_rational
-from cuspaudit.algebra.ring import Polynomial, Ring
+from cuspaudit.algebra.ring import Ring
 from cuspaudit.kinematics.chain import Translation, Vector, reverse
 from cuspaudit.kinematics.exact_model import ExactModel, exact_model
-from cuspaudit.kinematics.transform import Column, Transform, cross, dot
+from cuspaudit.kinematics.neighbors import (
+    coincide,
+    concurrent,
+    coplanar,
+    crossing,
+    direction,
+    orthogonal,
+    parallel,
+)
+from cuspaudit.kinematics.transform import Column, Transform, dot
+from cuspaudit.kinematics.triple_and_pair import triple_and_pair
 
 __all__ = ["LOOKED_FOR", "Reduction", "reduce_six_joints"]
 
 LOOKED_FOR = (
-    "a spherical wrist with right-angle twists (axes 4, 5, 6 concurrent)",
-    "a spherical shoulder with right-angle twists (axes 1, 2, 3 concurrent)",
+    "a spherical wrist (axes 4, 5, 6 concurrent)",
+    "a spherical shoulder (axes 1, 2, 3 concurrent)",
     "the UR pattern (axes 2, 3, 4 parallel, a1 = a4 = a5 = 0, right-angle twists)",
-    "axes 2, 3, 4 parallel and axes 5, 6 concurrent",
-    "axes 3, 4, 5 parallel and axes 1, 2 concurrent",
+    "three axes in a row parallel or concurrent, and two others in a row as well",
 )
 
 
@@ -37,6 +45,10 @@ class Reduction:
         why: what it says of this arm, one sentence.
         regional: the three-joint arm that decides, or None when the theorem says
             noncuspidal by itself.
+        is_equivalent: whether a cuspidal ``regional`` makes the arm cuspidal; a
+            noncuspidal one always makes it noncuspidal.
+        is_full: whether every regular posture of ``regional`` stands for two of the arm
+            in every pose but singular ones.
         aspects: the number of aspects, where the theorem gives it.
         is_reversed: whether ``regional`` belongs to the arm taken from tip to base.
     """
@@ -45,10 +57,12 @@ class Reduction:
         "spherical wrist",
         "spherical shoulder",
         "UR pattern",
-        "parallel and meeting axes",
+        "triple and pair",
     ]
     why: str
     regional: ExactModel | None = None
+    is_equivalent: bool = True
+    is_full: bool = True
     is_reversed: bool = False
     aspects: int | None = None
 
@@ -61,8 +75,7 @@ def reduce_six_joints(model: ExactModel) -> Reduction | None:
         _spherical_wrist,
         _spherical_shoulder,
         _ur_pattern,
-        _parallel_and_meeting,
-        _meeting_and_parallel,
+        _triple_and_pair,
     ):
         reduction = attempt(model)
         if reduction is not None:
@@ -71,39 +84,47 @@ def reduce_six_joints(model: ExactModel) -> Reduction | None:
 
 
 def _spherical_wrist(model: ExactModel) -> Reduction | None:
-    """Cuspidal if and only if the regional 3R arm is.
+    """Cuspidal only if the regional 3R arm is; if and only if, for most twists.
 
-    Hypotheses: axes 4, 5, 6 meet in one point W; axes 4 and 5, and 5 and 6, are
-    orthogonal. Then det J = +-det J3(theta1..3) sin(theta5 + const), where J3 belongs
-    to the first three joints moving W, so a posture is nonsingular when both are.
-
-    Regional couple => couple. Let a path of theta1..3 join two postures of one W with
-    det J3 != 0. Start with the wrist at sin > 0. At the end the wanted orientation is
-    reached by a wrist posture with sin >= 0 (Euler angles reach every rotation, and
-    (theta4 + pi, -theta5, theta6 + pi) is the other one); for all but one circle of
-    orientations sin > 0, and the start is free to choose. {sin > 0} is connected, so
-    the two wrist postures are joined in it.
+    Hypotheses: axes 4, 5, 6 meet in one point W, neighbours not parallel. Then
+    det J = det J3(theta1..3) sin(alpha4) sin(alpha5) sin(theta5), up to the zero of
+    theta5, where J3 belongs to the first three joints moving W, so a posture is
+    nonsingular when both are. The angle of axes 4 and 6 is known from theta1..3 and the
+    orientation, and is cos(alpha4) cos(alpha5) - sin(alpha4) sin(alpha5) cos(theta5):
+    the sign of sin(theta5) fixes theta5, then theta4 and theta6 follow.
 
     Couple => regional couple. The projection of the path to theta1..3 keeps
-    det J3 != 0, and both ends hold W in one place. If they agree in theta1..3, the
-    wrists differ, hence have opposite signs of sin (two wrist postures of one
-    orientation do), which the path cannot: so the ends differ in theta1..3.
+    det J3 != 0, and both ends hold W in one place. If they agreed in theta1..3, the
+    wrists would differ, hence have opposite signs of sin(theta5), which the path cannot
+    have: so the ends differ in theta1..3.
+
+    Regional couple => couple, if axis 6 can stand at a right angle to axis 4 with
+    sin(theta5) != 0: cos(alpha4)^2 + cos(alpha5)^2 < 1 (the cosine of such a theta5 is
+    cot(alpha4) cot(alpha5), in absolute value below 1). Let a path of theta1..3 join
+    two postures of one W with det J3 != 0. Some direction z is at a right angle to
+    axis 4 in both; choose an orientation with axis 6 along z. Both ends reach it with
+    sin(theta5) > 0, which is an arc, so the two wrist postures are joined in it.
     """
-    if not (_orthogonal(model, 4) and _meet(model, 4)):
+    if not concurrent(model, 4):
         return None
-    if not (_orthogonal(model, 5) and _meet(model, 5)):
-        return None
-    fifth, sixth = model.joints[4], model.joints[5]
-    here = -dot(model.ring, fifth.before.translation, _direction(model, 4))
-    there = dot(model.ring, sixth.before.translation, fifth.axis)
-    if model.ring.reduce(here - there) != 0:
-        return None
+    free = _meets_at_right_angles(model)
+    exactly = "exactly when" if free else "only if"
     return Reduction(
         "spherical wrist",
-        "axes 4, 5, 6 meet in one point at right angles, so the arm is cuspidal "
-        "exactly when its first three joints, moving that point, are",
+        f"axes 4, 5, 6 meet in one point, so the arm is cuspidal {exactly} its first "
+        "three joints, moving that point, are",
         _regional(model),
+        free,
+        orthogonal(model, 4) and orthogonal(model, 5),
     )
+
+
+def _meets_at_right_angles(model: ExactModel) -> bool:
+    """Whether cos(alpha4)^2 + cos(alpha5)^2 < 1, for certain."""
+    ring = model.ring
+    squares = [dot(ring, model.joints[k].axis, direction(model, k + 1)) for k in (3, 4)]
+    total = ring.reduce(1 - ring.total(x * x for x in squares))
+    return bool(ring.evaluate(total, {}) > 0)
 
 
 def _spherical_shoulder(model: ExactModel) -> Reduction | None:
@@ -116,13 +137,10 @@ def _spherical_shoulder(model: ExactModel) -> Reduction | None:
     wrist = _spherical_wrist(back)
     if wrist is None:
         return None
-    return Reduction(
-        "spherical shoulder",
-        "axes 1, 2, 3 meet in one point at right angles, so the arm is cuspidal "
-        "exactly when its last three joints, taken from tip to base, are",
-        wrist.regional,
-        is_reversed=True,
+    why = wrist.why.replace("4, 5, 6", "1, 2, 3").replace(
+        "its first three joints", "its last three joints, taken from tip to base"
     )
+    return replace(wrist, kind="spherical shoulder", why=why, is_reversed=True)
 
 
 def _ur_pattern(model: ExactModel) -> Reduction | None:
@@ -149,9 +167,9 @@ def _ur_pattern(model: ExactModel) -> Reduction | None:
     it contains the point where both terms are largest, which moves continuously.
     (d5 = 0 does not occur here: axes 4, 5, 6 would meet, a spherical wrist.)
     """
-    parallel = _parallel(model, 2) and _parallel(model, 3)
-    square = all(_orthogonal(model, i) and _meet(model, i) for i in (1, 4, 5))
-    if not (parallel and square) or _coincide(model, 2) or _coincide(model, 3):
+    level = parallel(model, 2) and parallel(model, 3)
+    square = all(orthogonal(model, i) and coplanar(model, i) for i in (1, 4, 5))
+    if not (level and square) or coincide(model, 2) or coincide(model, 3):
         return None
     return Reduction(
         "UR pattern",
@@ -161,52 +179,16 @@ def _ur_pattern(model: ExactModel) -> Reduction | None:
     )
 
 
-def _parallel_and_meeting(model: ExactModel) -> Reduction | None:
-    """Noncuspidal: as for the UR pattern, three signs tell the postures apart.
-
-    Hypotheses: axes 2, 3, 4 parallel, neighbours distinct; axes 5 and 6 meet in a
-    point Q; axes 1 and 2, 4 and 5, 5 and 6 not parallel. Nothing is asked of a1, a4
-    or the twists 1, 4, 5.
-
-    Let u be the direction of axes 2, 3, 4 and w that of axis 1, x the coordinate along
-    u x w / |u x w| of Q from a point of axis 1, alpha_i the angle from axis i to i + 1.
-    Q, on axes 5 and 6, is at rest in link 4 and in the tip.
-
-    det J = +- sin alpha1 sin alpha4 sin alpha5 a2 a3 s3 s5 x. Take velocities at Q:
-    joints 5 and 6 give none. Subtract column 4 from 2 and 3: they become translations
-    v2, v3 across u, whose product with u is a2 a3 s3. Of the Laplace products one is
-    left, det(v1, v2, v3) det(u, z5, z6), as v2, v3 and that of joint 4 lie in a plane;
-    u . v1 = u . (w x Q) = sin alpha1 x, and det(u, z5, z6) = sin alpha4 sin alpha5 s5.
-
-    The signs fix the posture. The pose gives Q, hence w . Q and its distance from axis
-    1. In link 1, Q = x e + y e' + D u with e = u x w / |u x w|, e' = u x e; D is
-    constant, w . Q = D cos alpha1 + y sin alpha1 gives y, the distance then x^2, so
-    with its sign Q in link 1, hence theta1. Then u . z6 = cos alpha4 cos alpha5 -
-    sin alpha4 sin alpha5 cos theta5 and the sign of s5 give theta5. As s5 is not 0, z6
-    and u are not parallel; so the direction of z6 gives theta2 + theta3 + theta4, and
-    theta6 is left. Now axis 4 is placed, and joints 2 and 3 are a planar arm whose
-    elbow the sign of s3 fixes. On a nonsingular path the three signs are constant.
-    """
-    if not (_parallel(model, 2) and _parallel(model, 3) and _meet(model, 5)):
-        return None
-    if any(_coincide(model, i) for i in (2, 3)):
-        return None
-    if any(_parallel(model, i) for i in (1, 4, 5)):
+def _triple_and_pair(model: ExactModel) -> Reduction | None:
+    """Noncuspidal, by the theorem of ``triple_and_pair``."""
+    axes = triple_and_pair(model)
+    if axes is None:
         return None
     return Reduction(
-        "parallel and meeting axes",
-        "axes 2, 3, 4 are parallel and axes 5, 6 meet: the signs of the three factors "
-        "of det J tell all postures of a pose apart",
+        "triple and pair",
+        f"{axes}: three signs along a nonsingular path tell all postures of a pose "
+        "apart",
     )
-
-
-def _meeting_and_parallel(model: ExactModel) -> Reduction | None:
-    """The arm taken from tip to base has parallel and meeting axes."""
-    reduction = _parallel_and_meeting(exact_model(reverse(model.chain)))
-    if reduction is None:
-        return None
-    why = reduction.why.replace("2, 3, 4", "3, 4, 5").replace("5, 6", "1, 2")
-    return replace(reduction, why=why, is_reversed=True)
 
 
 def _regional(model: ExactModel) -> ExactModel:
@@ -216,7 +198,8 @@ def _regional(model: ExactModel) -> ExactModel:
     reads, holds the wrist center to the working precision.
     """
     ring, fourth = model.ring, model.joints[3]
-    along = dot(ring, model.joints[4].before.translation, fourth.axis)
+    fifth = model.joints[4].before.translation
+    along = crossing(model, fourth.axis, direction(model, 4), fifth)
     center = fourth.before.apply(tuple(along * x for x in fourth.axis))
     tool = Transform(ring, fourth.before.rotation, center)
     step = Translation(_near(ring, tuple(along * x for x in fourth.axis)))
@@ -232,41 +215,3 @@ def _near(ring: Ring, point: Column) -> Vector:
     values = (exact_rational(ring.evaluate(entry, {})) for entry in point)
     x, y, z = (Fraction(int(v.p), int(v.q)) for v in values)
     return (x, y, z)
-
-
-def _direction(model: ExactModel, number: int) -> Column:
-    """The axis after joint ``number``, in the frame of that joint."""
-    following = model.joints[number]
-    return following.before.turn(following.axis)
-
-
-def _pair(
-    model: ExactModel,
-    number: int,
-    test: Callable[[Column, Column], Polynomial | Column],
-) -> bool:
-    value = test(model.joints[number - 1].axis, _direction(model, number))
-    entries = value if isinstance(value, tuple) else (value,)
-    return all(model.ring.reduce(entry) == 0 for entry in entries)
-
-
-def _orthogonal(model: ExactModel, number: int) -> bool:
-    """Whether axes ``number`` and ``number`` + 1 are at right angles."""
-    return _pair(model, number, lambda a, b: dot(model.ring, a, b))
-
-
-def _parallel(model: ExactModel, number: int) -> bool:
-    """Whether axes ``number`` and ``number`` + 1 are parallel."""
-    return _pair(model, number, lambda a, b: cross(model.ring, a, b))
-
-
-def _meet(model: ExactModel, number: int) -> bool:
-    """Whether axes ``number`` and ``number`` + 1 lie in one plane."""
-    ring, step = model.ring, model.joints[number].before.translation
-    return _pair(model, number, lambda a, b: dot(ring, step, cross(ring, a, b)))
-
-
-def _coincide(model: ExactModel, number: int) -> bool:
-    """Whether two parallel axes are one line."""
-    ring, step = model.ring, model.joints[number].before.translation
-    return _pair(model, number, lambda a, b: cross(ring, step, a))

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from short_tables import Number, arm, degrees, shift, with_wrist
 
-from cuspaudit.kinematics.chain import X_AXIS, Y_AXIS, Chain, Motion, Rotation, reverse
+from cuspaudit.kinematics.chain import Y_AXIS, Chain, Motion, Rotation, reverse
 from cuspaudit.kinematics.exact_model import exact_model
 from cuspaudit.kinematics.frames import frames
 from cuspaudit.kinematics.polynomial_map import jacobian_determinant
@@ -80,15 +80,15 @@ def test_a_wrist_is_not_a_shoulder() -> None:
     ("joint", "motion", "kept"),
     [
         (5, shift("0.01", 0, 0), False),
-        (4, Rotation(X_AXIS, degrees(1)), False),
-        (5, Rotation(X_AXIS, degrees(1)), False),
+        (5, shift(0, 0, "0.01"), False),
+        (4, shift("0.01", 0, 0), False),
         # along axis 6, and about it: the wrist is the same
         (5, shift(0, "0.01", 0), True),
         (5, Rotation(Y_AXIS, degrees(1)), True),
     ],
 )
 def test_a_moved_wrist_axis_is_noticed(joint: int, motion: Motion, kept: bool) -> None:
-    """A wrist axis beside the center, or not at right angles, is no spherical wrist."""
+    """A wrist axis beside the center makes no spherical wrist."""
     chain = with_wrist(arm(*REGIONAL))
     joints = list(chain.joints)
     before = (motion, *joints[joint].before)
@@ -134,9 +134,55 @@ def test_only_revolute_arms_are_reduced(kinds: str) -> None:
 
 
 def test_what_is_looked_for_is_listed() -> None:
-    """One line a structure."""
-    assert len(LOOKED_FOR) == 3
+    """One line a structure, and the names of all."""
+    assert len(LOOKED_FOR) == 4
     assert "UR pattern" in LOOKED_FOR[2]
+
+
+@pytest.mark.parametrize(
+    ("twists", "equivalent", "full"),
+    [
+        ((-90, 90), True, True),
+        ((-60, 90), True, False),
+        ((60, 60), True, False),
+        ((120, -60), True, False),
+        # the squares of the cosines add up to 1, and to more
+        ((45, 45), False, False),
+        ((60, 30), False, False),
+        ((30, 45), False, False),
+    ],
+)
+def test_what_the_twists_of_a_wrist_allow(
+    twists: Row, equivalent: bool, full: bool
+) -> None:
+    """A cuspidal regional arm makes the arm so if axis 6 can stand square to axis 4."""
+    found = reduced(with_wrist(arm(*REGIONAL), twists))
+    assert found is not None
+    assert found.kind == "spherical wrist"
+    assert (found.is_equivalent, found.is_full) == (equivalent, full)
+    back = reduced(reverse(with_wrist(arm(*REGIONAL), twists)))
+    assert back is not None
+    assert back.kind == "spherical shoulder"
+    assert back.is_equivalent == equivalent
+
+
+@pytest.mark.parametrize("twists", [(-60, 90), (60, 45), (30, 45)])
+def test_the_center_of_a_skew_wrist(twists: Row) -> None:
+    """Axes 4, 5, 6 pass through the tip of the regional arm, whatever the twists."""
+    chain = with_wrist(arm(*REGIONAL), twists)
+    joints = list(chain.joints)
+    joints[3] = replace(joints[3], before=(*joints[3].before, shift(0, 0, "0.3")))
+    joints[4] = replace(joints[4], before=(shift(0, 0, "-0.3"), *joints[4].before))
+    chain = chain.with_joints(joints)
+    found = reduced(chain)
+    assert found is not None
+    assert found.regional is not None
+    for q in np.random.default_rng(3).uniform(-3, 3, (5, 6)):
+        center = frames(found.regional.chain, q[:3])[-1, :3, 3]
+        placed = frames(chain, q)
+        for i in (3, 4, 5):
+            arrow = center - placed[i, :3, 3]
+            assert np.allclose(np.cross(placed[i, :3, 2], arrow), 0, atol=1e-9)
 
 
 def test_the_eight_aspects_of_the_ur_pattern_stand_a_flood_fill() -> None:
