@@ -165,6 +165,14 @@ def test_what_the_theorem_does_not_cover_is_refused() -> None:
         components(FOUR, c1 * 0)
 
 
+def test_factors_of_separate_circles_multiply() -> None:
+    """Cos(theta1 - theta3) cos(theta2): two regions of each; a helix of zeros: two."""
+    c1, s1, c2, s2, c3, s3, *_ = FOUR.gens
+    assert components(FOUR, (c1 * c3 + s1 * s3) * c2).number_of_components == 4
+    helix = (c1 * c2 + s1 * s2) * (c3 + 2) + (c1 * s2 - s1 * c2) * s3
+    assert components(FOUR, helix).number_of_components == 2
+
+
 def test_a_point_on_the_zero_set_has_no_label() -> None:
     """A ball that meets h = 0 is in no component."""
     c1, s1, c2, _, *_ = FOUR.gens
