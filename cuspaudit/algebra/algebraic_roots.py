@@ -18,7 +18,7 @@ from cuspaudit.algebra.ring import Polynomial, Ring
 from cuspaudit.algebra.univariate import PRECISIONS, RealRoot, Univariate
 from cuspaudit.errors import PrecisionError
 
-__all__ = ["real_roots_over"]
+__all__ = ["common_divisor_over", "real_roots_over"]
 
 _Row = list[fmpq_poly]
 _Key = tuple[tuple[fmpq, ...], ...]
@@ -59,6 +59,20 @@ def real_roots_over(
         if found is not None:
             return found
     raise PrecisionError("real roots over a real root", PRECISIONS[-1])
+
+
+def common_divisor_over(
+    p: Sequence[fmpq_poly], q: Sequence[fmpq_poly], root: RealRoot
+) -> list[fmpq_poly]:
+    """The monic greatest common divisor over Q(alpha) of p, which is not 0, and q.
+
+    Args:
+        p: coefficients in Q[w], lowest first.
+        q: likewise.
+        root: alpha.
+    """
+    m = fmpq_poly(root.polynomial)
+    return _gcd(_reduced(p, m), _reduced(q, m), m)
 
 
 def _with_double_zeros(rows: list[_Row], root: RealRoot) -> list[arb] | None:

@@ -30,7 +30,7 @@ open set is an identity modulo omega.
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from time import monotonic
@@ -153,6 +153,7 @@ def generic_fiber(
     mapping: PolynomialMap,
     timeout: float = 60.0,
     seed: int = 1,
+    forms: Iterable[Form] = (),
 ) -> GenericFiber:
     """The fibers of R: V -> R^d as roots of one polynomial, proved.
 
@@ -164,6 +165,7 @@ def generic_fiber(
         mapping: R, dominant on a component of V at least.
         timeout: in s, for all eliminations together.
         seed: of msolve's random choices.
+        forms: the linear forms to try; some that do are looked for when none is given.
 
     Raises:
         DegenerateMapError: every minor of jac(f, R) vanishes on V.
@@ -176,7 +178,7 @@ def generic_fiber(
     ring = Ring(_fresh(variety.ring, len(mapping.components)))
     proposer = FiberProposer(variety, mapping, ring, monotonic() + timeout, seed)
     reason = "no linear form tells the points of a generic fiber apart"
-    for form in proposer.forms():
+    for form in forms or proposer.forms():
         found = proposer.parametrized(form)
         if found is None:
             continue
