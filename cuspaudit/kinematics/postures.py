@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 
 from cuspaudit.errors import UnableError
 from cuspaudit.kinematics.chain import Chain
-from cuspaudit.kinematics.frames import transform
+from cuspaudit.kinematics.moving import gap, moved, scaled_arm
 from cuspaudit.kinematics.raghavan_roth import (
     Arm,
     closed,
@@ -52,13 +52,7 @@ def arm_of(chain: Chain) -> tuple[Arm, float]:
     """
     if chain.kinds != ("revolute",) * 6:
         raise UnableError("postures", "only arms of six revolute joints are solved")
-    steps = [transform(joint.before) for joint in chain.joints]
-    tool = transform(chain.tool)
-    scale = max(float(np.abs(step[:3, 3]).max()) for step in [*steps, tool]) or 1.0
-    for step in (*steps, tool):
-        step[:3, 3] /= scale
-    axes = [np.array([float(x) for x in joint.axis]) for joint in chain.joints]
-    return Arm(steps, [a / np.linalg.norm(a) for a in axes], tool), scale
+    return scaled_arm(chain)
 
 
 def is_even(signs: Array) -> bool:
@@ -177,23 +171,13 @@ class PostureSolver:
             error = np.abs(placed - poses).max(axis=(-2, -1))
             if (error < _REACHED * 1e-4).all():
                 break
-            step = np.linalg.pinv(jacobian, rcond=1e-12) @ _gap(placed, poses)
+            step = np.linalg.pinv(jacobian, rcond=1e-12) @ gap(placed, poses)
             postures = postures + np.clip(step[..., 0], -0.3, 0.3)
         return np.remainder(postures + np.pi, 2 * np.pi) - np.pi, error
 
     def _frames(self, postures: Array) -> tuple[Array, Array]:
         """Poses and Jacobians, rows linear velocity of the tip, then angular."""
-        arm, placed = self.arm, np.eye(4)
-        points, axes = [], []
-        for k in range(6):
-            c, s = np.cos(postures[..., k]), np.sin(postures[..., k])
-            placed = placed @ arm.before[k] @ turned(arm.axes[k], c, s)
-            points.append(placed[..., :3, 3])
-            axes.append(placed[..., :3, :3] @ arm.axes[k])
-        placed = placed @ arm.tool
-        point, axis = np.stack(points, -2), np.stack(axes, -2)
-        speed = np.cross(axis, placed[..., None, :3, 3] - point)
-        return placed, np.swapaxes(np.concatenate([speed, axis], -1), -1, -2)
+        return moved(self.arm, postures)
 
 
 def _eigenvectors(fifth: Array, side: Array) -> tuple[Complex, Complex]:
@@ -242,15 +226,6 @@ def _ratio(vectors: Complex, axis: int) -> Complex:
     product = (below.conj() * above).sum(axis=(2, 3))
     with np.errstate(divide="ignore", invalid="ignore"):
         return np.asarray(product / (np.abs(below) ** 2).sum(axis=(2, 3)))
-
-
-def _gap(placed: Array, poses: Array) -> Array:
-    """The motion still missing: translation, then axis times sine of the turn."""
-    turn = poses[..., :3, :3] @ np.swapaxes(placed[..., :3, :3], -1, -2)
-    skew = (turn - np.swapaxes(turn, -1, -2)) / 2
-    axis = np.stack([skew[..., 2, 1], skew[..., 0, 2], skew[..., 1, 0]], -1)
-    gap = np.concatenate([poses[..., :3, 3] - placed[..., :3, 3], axis], -1)
-    return np.asarray(gap[..., None])
 
 
 def _cos_sin(angle: float) -> tuple[Array, Array]:
