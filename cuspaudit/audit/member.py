@@ -8,7 +8,9 @@ from contextlib import suppress
 from typing import Any
 
 from cuspaudit.audit.answer import Answer, answer
+from cuspaudit.audit.six_joint_witness import needs_search, searched
 from cuspaudit.audit.time_limit import TimeUp, time_limit
+from cuspaudit.audit.witness import Witness, find_witness
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import CuspauditError, InvalidRobotError, UnableError
 from cuspaudit.geometry.cusps import Count
@@ -53,8 +55,10 @@ def failed_member(family: Family, index: int, why: str) -> Row:
 
 
 def _decided(family: Family, index: int) -> Row:
-    robot = family.robot(index)
-    found = answer(exact_model(robot.chain))
+    chain = family.robot(index).chain
+    found, witness = answer(exact_model(chain)), None
+    if needs_search(found):
+        found, witness = searched(found, chain, family.seed)
     counts = {
         "cusps": found.cusps,
         "nodes": found.nodes,
@@ -69,13 +73,15 @@ def _decided(family: Family, index: int) -> Row:
     }
     row |= {name: _proved(counts[name]) for name in family.record if name in counts}
     if "clearance" in family.record:
-        row["clearance"] = _clearance(found, robot.chain)
+        row["clearance"] = _clearance(found, witness, chain)
     return row
 
 
 def _proof(found: Answer) -> str:
     if found.verdict is Verdict.UNDECIDED:
         return "none"
+    if found.search is not None:
+        return "witness"
     return "exact" if found.reduction is None else "reduction"
 
 
@@ -83,10 +89,10 @@ def _proved(count: Count | None) -> int | None:
     return count.count if count is not None and count.proved else None
 
 
-def _clearance(found: Answer, chain: Chain) -> float | None:
+def _clearance(found: Answer, witness: Witness | None, chain: Chain) -> float | None:
     """The clearance of a certified witness; None where there is none."""
-    from cuspaudit.audit.witness import find_witness
-
+    if witness is not None:
+        return witness.clearance
     if found.verdict is not Verdict.CUSPIDAL:
         return None
     try:

@@ -49,7 +49,11 @@ def needs_search(found: Answer) -> bool:
 
 
 def searched(
-    found: Answer, literal: Chain, seed: int, progress: Progress, most: int = MOST
+    found: Answer,
+    literal: Chain,
+    seed: int = 0,
+    progress: Progress = lambda step: None,
+    most: int = MOST,
 ) -> tuple[Answer, Witness | None]:
     """CUSPIDAL with a witness proved for the model's numbers, or what was tried.
 
