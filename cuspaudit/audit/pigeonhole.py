@@ -9,9 +9,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from flint import fmpq
-
 from cuspaudit.algebra.parametrization import RealPoint
+from cuspaudit.algebra.ring import Rational
 from cuspaudit.algebra.univariate import PRECISIONS
 from cuspaudit.audit.aspects import aspect_components
 from cuspaudit.errors import PrecisionError
@@ -25,7 +24,7 @@ Label = tuple[int, ...]
 
 
 def postures_by_aspect(
-    model: ExactModel, tangents: Sequence[fmpq], timeout: float | None = None
+    model: ExactModel, tangents: Sequence[Rational], timeout: float | None = None
 ) -> dict[Label, list[RealPoint]]:
     """The postures of the pose of a rational posture, by the aspect they lie in.
 
