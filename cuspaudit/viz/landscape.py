@@ -162,12 +162,11 @@ def _draw_slice(axes: Any, plane: SliceData, note: Note) -> None:
 
     shades = LinearSegmentedColormap.from_list("signs", SHADES)
     heights = np.cbrt(plane.heights)
-    image = axes.imshow(
-        *(heights,), extent=plane.window, origin="lower", cmap=shades, vmin=-1, vmax=1
-    )
+    extent: dict[str, Any] = {"extent": plane.window, "origin": "lower"}
+    limits = {"vmin": -1, "vmax": 1, "interpolation": "nearest"}
+    image = axes.imshow(heights, cmap=shades, **extent, **limits)
     note(image, "heights", "")
     if heights.min() < 0 < heights.max():
-        extent = {"extent": plane.window, "origin": "lower"}
         curve = axes.contour(plane.heights, [0.0], colors=RED, linewidths=1.5, **extent)
         note(curve, "singular", "singular: det J = 0")
     for line in plane.lines:
