@@ -69,14 +69,17 @@ class Reduction:
 
 def reduce_six_joints(model: ExactModel) -> Reduction | None:
     """The first theorem whose hypotheses hold exactly for ``model``, or None."""
-    if model.chain.kinds != ("revolute",) * 6:
+    kinds = model.chain.kinds
+    if len(kinds) != 6:
         return None
-    for attempt in (
-        _spherical_wrist,
-        _spherical_shoulder,
-        _ur_pattern,
-        _triple_and_pair,
+    for attempt, turning in (
+        (_spherical_wrist, kinds[3:]),
+        (_spherical_shoulder, kinds[:3]),
+        (_ur_pattern, kinds),
+        (_triple_and_pair, kinds),
     ):
+        if "prismatic" in turning:
+            continue
         reduction = attempt(model)
         if reduction is not None:
             return reduction
@@ -86,7 +89,8 @@ def reduce_six_joints(model: ExactModel) -> Reduction | None:
 def _spherical_wrist(model: ExactModel) -> Reduction | None:
     """Cuspidal only if the regional 3R arm is; if and only if, for most twists.
 
-    Hypotheses: axes 4, 5, 6 meet in one point W, neighbours not parallel. Then
+    Hypotheses: joints 4, 5, 6 turn; their axes meet in one point W, neighbours not
+    parallel. Joints 1, 2, 3 may slide as well (the Stanford arm). Then
     det J = det J3(theta1..3) sin(alpha4) sin(alpha5) sin(theta5), up to the zero of
     theta5, where J3 belongs to the first three joints moving W, so a posture is
     nonsingular when both are. The angle of axes 4 and 6 is known from theta1..3 and the

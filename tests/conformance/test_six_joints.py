@@ -275,11 +275,29 @@ def test_no_theorem_speaks_of_general_arms(name: str) -> None:
 
 
 def test_a_prismatic_joint_is_no_wrist() -> None:
-    """The reductions are about six revolute joints."""
+    """A wrist turns; where joint 6 slides no theorem speaks."""
     chain = with_wrist(arm((1, 2, "3/2"), (0, 1, 0), (-90, 90, 0)))
     joints = list(chain.joints)
-    joints[0] = replace(joints[0], kind="prismatic")
+    joints[5] = replace(joints[5], kind="prismatic")
     assert ask(chain.with_joints(joints)).verdict is Verdict.UNDECIDED
+
+
+def test_the_stanford_arm_is_noncuspidal() -> None:
+    """RRP with a spherical wrist: as its first three joints, two postures a point."""
+    regional = arm((0, 0, 0), (".412", ".154", 0), (-90, 90, 0), "RRP")
+    found, three = ask(with_wrist(regional)), ask(regional)
+    assert found.reduction is not None
+    assert found.reduction.kind == "spherical wrist"
+    assert found.verdict is three.verdict is Verdict.NONCUSPIDAL
+
+
+def test_a_wrist_on_a_cuspidal_sliding_arm_is_cuspidal() -> None:
+    """A cuspidal RRP arm carrying a spherical wrist: certified."""
+    regional = arm((-1, 2, -1), (0, -2, 1), (90, -60, 0), "RRP")
+    chain = with_wrist(regional)
+    found = ask(chain)
+    assert ask(regional).verdict is found.verdict is Verdict.CUSPIDAL
+    assert verify(find_witness(found, chain).certificate).accepted
 
 
 def test_the_tool_of_a_wrist_does_not_matter() -> None:
