@@ -58,7 +58,7 @@ def ascents(h: TorusFunction, starts: Array) -> list[Array]:
     """
     ways = _climb(h, starts)
     for _ in range(_PUSHES):
-        ends = np.array([way[-1] for way in ways])
+        ends = np.array([way[-1] for way in ways]).reshape(starts.shape)
         values, vectors = np.linalg.eigh(_bend(h, ends))
         stuck = np.flatnonzero(values[:, -1] > _FLAT * h.size)
         if not len(stuck):
