@@ -85,6 +85,8 @@ def parametrized_curve(
     """
     if system.ring.radicand is not None:
         raise UnableError("one_dimensional_parametrization", "coefficients outside Q")
+    if len(system.ring.variables) < 2:
+        raise UnableError("one_dimensional_parametrization", "a curve in a line")
     end, reason = monotonic() + timeout, "no projection is finite"
     for first, second in islice(_pairs(len(system.ring.variables), seed), _TRIES):
         if not _is_finite(system, second):
