@@ -1,0 +1,67 @@
+"""A sweep of random orthogonal 3R arms: what a member costs, and the rate.
+
+``pytest tests/benchmarks/test_sweep_benchmark.py --benchmark-only -s`` prints processor
+times, which other work on the machine hardly changes, beside the rates on the clock;
+``CUSPAUDIT_MEMBERS=1000`` makes it the full run. No limit is held here.
+"""
+
+from __future__ import annotations
+
+import os
+import time
+from pathlib import Path
+from typing import Any
+
+from cuspaudit.audit.member import decide_member
+from cuspaudit.audit.sweep import sweep
+from cuspaudit.kinematics.family_file import read_family
+
+MEMBERS = int(os.environ.get("CUSPAUDIT_MEMBERS", "40"))
+FAMILY = """\
+family: orthogonal-3r
+robot:
+  convention: standard
+  units: m
+  task: position
+  joints:
+    - {{type: revolute, a: 1,  alpha: -pi/2, d: 0}}
+    - {{type: revolute, a: a2, alpha: pi/2,  d: d2}}
+    - {{type: revolute, a: a3, alpha: 0,     d: 0}}
+parameters:
+  a2: {{random: [0.2, 3], count: {count}}}
+  a3: {{random: [0.2, 4], count: {count}}}
+  d2: {{random: [0.1, 2], count: {count}}}
+seed: 2022
+"""
+
+
+def timed(file: Path, folder: Path, workers: int) -> tuple[float, float]:
+    """Seconds on the clock, and on the processor of the process that hands out."""
+    clock, processor = time.perf_counter(), time.process_time()
+    assert sweep(file, folder, workers).added == MEMBERS
+    return time.perf_counter() - clock, time.process_time() - processor
+
+
+def test_sweeping_random_arms(benchmark: Any, tmp_path: Path) -> None:
+    """Processor seconds a member and of the hand-out, and members a second."""
+    file = tmp_path / "family.yaml"
+    file.write_text(FAMILY.format(count=MEMBERS))
+    family = read_family(file)
+    decide_member(family, 0)
+    start = time.process_time()
+    for index in range(min(MEMBERS, 40)):
+        decide_member(family, index)
+    member = (time.process_time() - start) / min(MEMBERS, 40)
+    one, _ = timed(file, tmp_path / "one", 1)
+    two, hands = benchmark.pedantic(timed, (file, tmp_path / "two", 2), rounds=1)
+    hands /= MEMBERS
+    found = {
+        "processor_seconds_a_member": round(member, 4),
+        "processor_seconds_to_hand_out": round(hands, 4),
+        "members_a_second_on_one": round(MEMBERS / one, 1),
+        "members_a_second_on_two": round(MEMBERS / two, 1),
+        "scaling": round(one / two, 2),
+        "scaling_by_processor": round((member + hands) / (member / 2 + hands), 2),
+    }
+    benchmark.extra_info.update(found)
+    print(found)
