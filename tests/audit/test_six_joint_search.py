@@ -59,6 +59,7 @@ def test_proposals_come_widest_first(name: str) -> None:
     assert found.record.clearance <= 1
 
 
+@pytest.mark.slow
 def test_a_search_is_repeated_by_its_seed() -> None:
     """The same seed gives the same paths, another one others."""
     chain = chain_of("raghavan-roth")
@@ -99,6 +100,7 @@ def test_a_noncuspidal_arm_has_no_witness(chain: Chain) -> None:
     assert result.record.pairs > 0
 
 
+@pytest.mark.slow
 def test_a_skew_wrist_on_a_cuspidal_arm_has_a_witness() -> None:
     """No theorem speaks of it; the certificate does."""
     result = search_witness(with_wrist(CUSPIDAL_3R, (-60, 90)), most=32)
