@@ -90,7 +90,8 @@ class FiberProposer:
         """(h omega, b') with h in Q[y] from a = m omega.
 
         Where m depends on t it is inverted modulo omega: with M the matrix of the
-        multiplication by m, z the first column of its adjugate, m z = det M.
+        multiplication by m, z the first column of its adjugate, m z = det M. Where that
+        is 0, m and omega have a common zero.
         """
         if self._degree(a) == self._degree(omega):
             return a, b
@@ -105,6 +106,8 @@ class FiberProposer:
             minor = [c[1:] for i, c in enumerate(columns) if i != k]
             z += (-1) ** k * determinant(self.ring, minor) * t**k
         h = determinant(self.ring, columns)
+        if h == 0:
+            return None
         numerator = divmod(b * z, omega)[1]
         common = h.gcd(numerator)
         return omega * (h / common), numerator / common

@@ -6,9 +6,10 @@ import pytest
 from flint import fmpq
 
 from cuspaudit.algebra.ring import Ring
-from cuspaudit.algebra.system import PolynomialSystem
+from cuspaudit.algebra.system import PolynomialMap, PolynomialSystem
 from cuspaudit.errors import UnableError
 from cuspaudit.geometry.curve_parametrization import one_dimensional_parametrization
+from cuspaudit.geometry.generic_fiber import generic_fiber
 
 SPACE = Ring(["x", "y", "z"])
 X, Y, Z = SPACE.gens
@@ -50,3 +51,13 @@ def test_isolated_points_beside_a_curve_are_refused() -> None:
     system = PolynomialSystem(SPACE, (X * (X - 1), Y, X * Z))
     with pytest.raises(UnableError):
         one_dimensional_parametrization(system)
+
+
+def test_a_form_that_does_not_separate_is_passed_over() -> None:
+    """On the three axes (1, 1, 2) takes one value at two points of every plane."""
+    axes = PolynomialSystem(SPACE, (X * Y, Y * Z, X * Z))
+    mapping = PolynomialMap(SPACE, (X + Y - Z,))
+    with pytest.raises(UnableError, match="apart"):
+        generic_fiber(axes, mapping, forms=[(1, 1, 2)])
+    for seed in (8, 11):
+        assert one_dimensional_parametrization(axes, seed).degree == 3
