@@ -121,6 +121,52 @@ def test_the_table_says_where_it_is_from(
     assert read_family(tmp_path / "out" / "family.yaml").hash == family.hash
 
 
+def test_polars_and_duckdb_open_the_table(
+    write: Callable[..., Path], tmp_path: Path
+) -> None:
+    """Both read the folder of parts: the same members with the same verdicts."""
+    polars, duckdb = pytest.importorskip("polars"), pytest.importorskip("duckdb")
+    family = read_family(write(QUICK))
+    with stored(tmp_path / "out", family) as store:
+        for index in range(3):
+            store.add(decide_member(family, index))
+        store.fold()
+        store.add(decide_member(family, 3))
+    parts = tmp_path / "out" / "results.parquet"
+    wanted = [(k, "noncuspidal") for k in range(4)]
+    frame = polars.read_parquet(parts).sort("index")
+    assert frame.select("index", "verdict").rows() == wanted
+    query = f"SELECT index, verdict FROM '{parts}/*.parquet' ORDER BY index"
+    assert duckdb.sql(query).fetchall() == wanted
+
+
+def peak_memory() -> dict[int, int]:
+    """The most memory, in kB, that this process and its children have ever held."""
+    here = psutil.Process()
+    peaks = {}
+    for process in (here, *here.children(recursive=True)):
+        status = Path(f"/proc/{process.pid}/status").read_text()
+        peaks[process.pid] = int(status.split("VmHWM:")[1].split()[0])
+    return peaks
+
+
+@pytest.mark.slow
+def test_memory_does_not_grow_with_the_members(
+    write: Callable[..., Path], tmp_path: Path
+) -> None:
+    """Of 400 members the last 300 raise no process's peak by 5 MB."""
+    peaks: dict[int, dict[int, int]] = {}
+
+    def note(done: int, size: int) -> None:
+        if done in (100, 400):
+            peaks[done] = peak_memory()
+
+    sweep(write(families.ur_family(400)), tmp_path / "out", 2, note)
+    grown = {k: peaks[400][k] - peaks[100][k] for k in peaks[100] if k in peaks[400]}
+    assert len(grown) >= 4, "this process, two workers, and where they come from"
+    assert max(grown.values()) < 5000, grown
+
+
 def test_a_changed_family_does_not_mix(
     write: Callable[..., Path], tmp_path: Path
 ) -> None:
