@@ -6,6 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from cuspaudit.audit.aspects import count_aspects
+from cuspaudit.audit.pairs import PairRecord
 from cuspaudit.audit.six_joint_search import SearchRecord
 from cuspaudit.cuspidality.surface_decision import SurfaceDecision, decide_surface
 from cuspaudit.cuspidality.verdict import Verdict
@@ -33,6 +34,7 @@ class Undecided:
         looked_for: the structures that were tested and not found.
         would_settle: what would give a verdict.
         search: what a search for a witness tried, if there was one.
+        pairs: what the pairs of postures say, if they were looked at.
     """
 
     step: str
@@ -40,6 +42,7 @@ class Undecided:
     looked_for: tuple[str, ...]
     would_settle: str
     search: SearchRecord | None = None
+    pairs: PairRecord | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -59,6 +62,7 @@ class Answer:
         nodes: of the same.
         undecided: set exactly when the verdict is UNDECIDED.
         search: the search that found the witness of a CUSPIDAL answer, if one did.
+        pairs: the pairs that led to the witness, if they did.
     """
 
     model: ExactModel
@@ -73,6 +77,7 @@ class Answer:
     nodes: Count | None = None
     undecided: Undecided | None = None
     search: SearchRecord | None = None
+    pairs: PairRecord | None = None
 
 
 def answer(model: ExactModel, progress: Progress = lambda step: None) -> Answer:

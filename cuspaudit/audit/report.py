@@ -13,6 +13,7 @@ from cuspaudit.algebra.trigonometric import factor_on_circles
 from cuspaudit.audit.answer import Answer, Undecided, answer
 from cuspaudit.audit.aspects import count_aspects
 from cuspaudit.audit.crosscheck import CrossCheck, crosscheck
+from cuspaudit.audit.pair_witness import needs_pairs, searched_pairs
 from cuspaudit.audit.pinocchio_model import is_readable
 from cuspaudit.audit.six_joint_witness import HAIR_POSES, needs_search, searched
 from cuspaudit.audit.versions import versions
@@ -211,6 +212,9 @@ def audit(robot: Robot, options: Options | None = None) -> Audit:
     with clock.stage("search"):
         if needs_search(found):
             found, witness = searched(found, robot.chain, options.seed, clock.step)
+    with clock.stage("pairs"):
+        if needs_pairs(found):
+            found, witness = _by_pairs(found, robot.chain, clock)
     with clock.stage("aspects"):
         found = _with_aspects(found, clock)
     with clock.stage("literal"):
@@ -255,6 +259,11 @@ class _Clock:
             self.seconds["total"] = now - self._start
 
     @property
+    def seed(self) -> int:
+        """The seed of the audit."""
+        return self._options.seed
+
+    @property
     def left(self) -> float | None:
         """The seconds left, at least 0; None without a limit."""
         limit = self._options.timeout
@@ -284,6 +293,16 @@ def _decide(robot: Robot, model: ExactModel, clock: _Clock) -> Answer:
             f"{robot.file}: {error}, so {chain.tip} never moves with the {chain.task} "
             "task's full freedom; choose another tip (--tip), task or joint to lock"
         ) from None
+
+
+def _by_pairs(
+    found: Answer, literal: Chain, clock: _Clock
+) -> tuple[Answer, Witness | None]:
+    """What the pairs of postures add, as far as the time reaches."""
+    try:
+        return searched_pairs(found, literal, clock.seed, clock.step)
+    except UnableError:
+        return found, None
 
 
 def _with_aspects(found: Answer, clock: _Clock) -> Answer:
@@ -393,6 +412,8 @@ def _shown(witness: Witness, model: str, certificate: str | None) -> dict[str, A
 def _engine(found: Answer) -> str | None:
     if found.decision is not None:
         return "roadmap"
+    if found.pairs is not None:
+        return "pairs"
     return "search" if found.search is not None else None
 
 
