@@ -154,7 +154,7 @@ def peak_memory() -> dict[int, int]:
 def test_memory_does_not_grow_with_the_members(
     write: Callable[..., Path], tmp_path: Path
 ) -> None:
-    """Of 400 members the last 300 raise no process's peak by 5 MB."""
+    """The last 300 of 400 members raise no worker's peak by 1 MB, nor ours by 5 MB."""
     peaks: dict[int, dict[int, int]] = {}
 
     def note(done: int, size: int) -> None:
@@ -164,7 +164,8 @@ def test_memory_does_not_grow_with_the_members(
     sweep(write(families.ur_family(400)), tmp_path / "out", 2, note)
     grown = {k: peaks[400][k] - peaks[100][k] for k in peaks[100] if k in peaks[400]}
     assert len(grown) >= 4, "this process, two workers, and where they come from"
-    assert max(grown.values()) < 5000, grown
+    assert grown.pop(os.getpid()) < 5000, "a part is written now and then"
+    assert max(grown.values()) < 1000, grown
 
 
 def test_a_changed_family_does_not_mix(
