@@ -205,18 +205,23 @@ def real_root_balls(polynomials: Sequence[Univariate]) -> list[arb]:
 
 
 def real_balls(polynomial: fmpz_poly) -> list[arb]:
-    """Balls of the distinct real roots, increasing, at the current precision.
+    """Balls of the distinct real roots, increasing, at the current precision or better.
 
     Complete: FLINT isolates every complex root and returns a real one with imaginary
     part exactly 0.
     """
-    return list(_real_balls(tuple(polynomial.coeffs()), ctx.prec))
+    bits = max(ctx.prec, PRECISIONS[0])
+    return list(_real_balls(tuple(polynomial.coeffs()), bits))
 
 
 @lru_cache(maxsize=4096)
 def _real_balls(coefficients: tuple[fmpz, ...], bits: int) -> tuple[arb, ...]:
     """Remembered, because the same fiber is asked for once a posture."""
-    pairs: Any = fmpz_poly(list(coefficients)).complex_roots()
+    saved, ctx.prec = ctx.prec, bits
+    try:
+        pairs: Any = fmpz_poly(list(coefficients)).complex_roots()
+    finally:
+        ctx.prec = saved
     balls = [root.real for root, _ in pairs if root.imag == 0]
     return tuple(sorted(balls, key=lambda ball: ball.mid()))
 
