@@ -175,3 +175,31 @@ def test_the_ur_pattern_is_noncuspidal_by_theorem(tmp_path: Path) -> None:
         ("noncuspidal", "reduction")
     }
     assert {row["aspects"] for row in rows} == {8}
+
+
+PUBLISHED = {
+    "UR3": ("0.2437", "0.2133", "0.0854"),
+    "UR5, series 1": ("0.425", "0.39243", "0.093"),
+    "UR5, series 2": ("0.425", "0.39225", "0.09475"),
+    "UR5, series 3": ("0.425", "0.39225", "0.09465"),
+    "UR10": ("0.6127", "0.5716", "0.1157"),
+    "UR3e": ("0.24355", "0.2132", "0.08535"),
+    "UR5e": ("0.425", "0.3922", "0.0997"),
+    "UR10e": ("0.6127", "0.57155", "0.11985"),
+    "UR20": ("0.8620", "0.7287", "0.1593"),
+}
+"""(a2, a3, d5) in m without signs [Universal Robots: CB3 manual, app. B; D-H page]."""
+
+
+@pytest.mark.parametrize("name", PUBLISHED)
+def test_the_arms_of_the_ur_series_have_eight_aspects(
+    tmp_path: Path, name: str
+) -> None:
+    """The published lengths of the UR series: 8 aspects and no cuspidal arm."""
+    a2, a3, d5 = PUBLISHED[name]
+    lines = f"parameters: {{a2: {{values: [{a2}]}}, a3: {{values: [{a3}]}}, "
+    file = tmp_path / "family.yaml"
+    head = UR_PATTERN.partition("parameters:")[0]
+    file.write_text(f"{head}{lines}d5: {{values: [{d5}]}}}}\n")
+    row = decide_member(read_family(file), 0)
+    assert (row["verdict"], row["aspects"]) == ("noncuspidal", 8)
