@@ -14,6 +14,8 @@ __all__ = [
     "Engine",
     "EngineName",
     "Lock",
+    "RobotEngine",
+    "RobotEngineName",
     "RobotName",
     "Seed",
     "Snap",
@@ -29,6 +31,15 @@ class Engine(StrEnum):
     auto = "auto"
     roadmap = "roadmap"
     routing = "routing"
+
+
+class RobotEngine(StrEnum):
+    """How a robot is decided."""
+
+    auto = "auto"
+    roadmap = "roadmap"
+    routing = "routing"
+    pairs = "pairs"
 
 
 RobotName = Annotated[
@@ -66,6 +77,13 @@ Snap = Annotated[
     ),
 ]
 EngineName = Annotated[Engine, typer.Option(help="Route of the decision.")]
+RobotEngineName = Annotated[
+    RobotEngine,
+    typer.Option(
+        help="Route of the decision; pairs looks at pairs of postures of one pose, "
+        "which proves a cuspidal verdict and is evidence else."
+    ),
+]
 Seed = Annotated[int, typer.Option(help="Seed of every random choice.")]
 Timeout = Annotated[
     float | None,

@@ -40,6 +40,7 @@ def print_summary(record: Mapping[str, Any], files: Mapping[str, Any]) -> None:
         "nodes": _count(singular["nodes"], singular["nodes_proved"]),
         "det J": " · ".join(_factor(f) for f in singular["factors"]),
         "cross-check": _check_line(record["crosscheck"]),
+        "pairs": _pairs((record["undecided"] or {}).get("pairs")),
         "settled by": (record["undecided"] or {}).get("would_settle"),
     }
     if witness and witness["clearance"] is not None:
@@ -59,6 +60,17 @@ def _hair(witness: Mapping[str, Any] | None) -> str:
     if witness is None or witness["clearance"] is None:
         return ""
     return f", with clearance {witness['clearance']:.1e}"
+
+
+def _pairs(met: Mapping[str, Any] | None) -> str | None:
+    """How much of the evidence by pairs may be missing."""
+    if met is None or met["missed"] is None:
+        return None
+    return (
+        f"{len(met['maxima'])} maxima met by {met['pairs']} ascents, {met['together']} "
+        f"within one aspect; one more ascent would end elsewhere with an estimated "
+        f"chance of {met['missed']:.0%} (evidence, not proof)"
+    )
 
 
 def _factor(text: str) -> str:
