@@ -1,5 +1,6 @@
 """Exact arithmetic over Q: rings, systems, elimination, real roots."""
 
+from cuspaudit.algebra.one_dimensional import OneDimensionalParametrization
 from cuspaudit.algebra.parametrization import (
     RealPoint,
     ZeroDimensionalParametrization,
@@ -11,6 +12,7 @@ from cuspaudit.algebra.univariate import RealRoot, Univariate, real_roots
 from cuspaudit.algebra.zero_dimensional import solve_zero_dimensional
 
 __all__ = [
+    "OneDimensionalParametrization",
     "Polynomial",
     "PolynomialMap",
     "PolynomialSystem",

@@ -4,6 +4,8 @@ from cuspaudit.geometry.assumption_a import check_assumption_a
 from cuspaudit.geometry.atypical_values import atypical_values
 from cuspaudit.geometry.continuation import continue_point
 from cuspaudit.geometry.crit import crit
+from cuspaudit.geometry.curve_parametrization import one_dimensional_parametrization
+from cuspaudit.geometry.curve_topology import curve_graph
 from cuspaudit.geometry.cusps import cusps
 from cuspaudit.geometry.generic_fiber import generic_fiber
 from cuspaudit.geometry.graph_connected import graph_connected
@@ -15,6 +17,7 @@ from cuspaudit.geometry.roadmap import roadmap
 from cuspaudit.geometry.routing import routing
 from cuspaudit.geometry.sample_points import sample_points
 from cuspaudit.geometry.sample_points_rational import sample_points_rational
+from cuspaudit.geometry.sample_points_semialgebraic import sample_points_semialgebraic
 from cuspaudit.geometry.sheet_roadmap import sheet_roadmap
 
 __all__ = [
@@ -22,16 +25,19 @@ __all__ = [
     "check_assumption_a",
     "continue_point",
     "crit",
+    "curve_graph",
     "cusps",
     "generic_fiber",
     "graph_connected",
     "graph_isotop",
     "nodes",
+    "one_dimensional_parametrization",
     "open_cells",
     "prove_path",
     "roadmap",
     "routing",
     "sample_points",
     "sample_points_rational",
+    "sample_points_semialgebraic",
     "sheet_roadmap",
 ]
