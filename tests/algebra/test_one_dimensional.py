@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any
 
 import pytest
 from flint import arb, fmpq, fmpq_poly
@@ -54,7 +55,7 @@ def set_of(*points: tuple[fmpq, fmpq]) -> ZeroDimensionalParametrization:
         {"forms": ((ONE,), (ZERO,))},
     ],
 )
-def test_the_definition_is_checked(wrong: dict[str, object]) -> None:
+def test_the_definition_is_checked(wrong: dict[str, Any]) -> None:
     """Monic in both, square-free, reduced, and both forms the parameters."""
     with pytest.raises(InvalidSystemError):
         replace(CIRCLE, **wrong)
