@@ -3,14 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from cuspaudit.audit.aspects import count_aspects
 from cuspaudit.audit.pairs import PairRecord
 from cuspaudit.audit.six_joint_search import SearchRecord
+from cuspaudit.cuspidality.decision import Decision, decide
 from cuspaudit.cuspidality.surface_decision import SurfaceDecision, decide_surface
 from cuspaudit.cuspidality.verdict import Verdict
-from cuspaudit.errors import DegenerateMapError, RetryableError, UnableError
+from cuspaudit.errors import (
+    CrossCheckError,
+    DegenerateMapError,
+    RetryableError,
+    UnableError,
+)
 from cuspaudit.geometry.cusps import Count, cusps
 from cuspaudit.geometry.nodes import nodes
 from cuspaudit.kinematics.exact_model import ExactModel
@@ -63,6 +69,7 @@ class Answer:
         undecided: set exactly when the verdict is UNDECIDED.
         search: the search that found the witness of a CUSPIDAL answer, if one did.
         pairs: the pairs that led to the witness, if they did.
+        confirmed: whether the routing gave the same verdict and count of aspects.
     """
 
     model: ExactModel
@@ -78,22 +85,37 @@ class Answer:
     undecided: Undecided | None = None
     search: SearchRecord | None = None
     pairs: PairRecord | None = None
+    confirmed: bool = False
 
 
-def answer(model: ExactModel, progress: Progress = lambda step: None) -> Answer:
+def answer(
+    model: ExactModel, progress: Progress = lambda step: None, engine: str = "auto"
+) -> Answer:
     """Decide a chain whose task has as many dimensions as it has joints.
 
     A three-joint position task runs Algorithm 1 on the reduced map [DESIGN 5]; a
     six-joint pose task is reduced to one, or settled by a theorem, when it can be
     [DESIGN 6.1]. What is out of reach is UNDECIDED.
 
+    Args:
+        model: of a chain of three or six joints.
+        progress: called with the name of each step before it runs.
+        engine: "routing" has the verdict of Algorithm 1 found again by the second
+            route to connectivity; without its agreement there is none.
+
     Raises:
         AssumptionError: a hypothesis fails for this arm (det J vanishes identically).
+        CrossCheckError: the two routes disagree.
     """
     try:
-        if model.chain.task == "position":
-            return _three_joints(model, progress)
-        return _six_joints(model, progress)
+        found = (
+            _three_joints(model, progress)
+            if model.chain.task == "position"
+            else _six_joints(model, progress)
+        )
+        if engine == "routing" and found.decision is not None:
+            return _confirmed(found, found.decision, progress)
+        return found
     except UnableError as limit:
         return _undecided(model, limit.step, str(limit), (), "a more general engine")
     except RetryableError as unlucky:
@@ -116,6 +138,23 @@ def _three_joints(model: ExactModel, progress: Progress) -> Answer:
         cusps=cusps(decision.roadmap, mapping, decision.delta),
         nodes=nodes(decision.fibers, decision.roadmap, mapping),
     )
+
+
+def _confirmed(found: Answer, surface: SurfaceDecision, progress: Progress) -> Answer:
+    """The answer, with the routing's agreement on the arm that decides."""
+    regional = found.reduction.regional if found.reduction else found.model
+    assert regional is not None, "there was a run of Algorithm 1"
+    routed: Decision = decide(*reduced_map(regional), "routing", progress=progress)
+    if routed.failure is not None:
+        raise routed.failure
+    own = (surface.verdict, surface.aspects)
+    if (routed.verdict, routed.components) != own:
+        raise CrossCheckError(
+            f"the roadmap says {own[0].value} with {own[1]} aspects, the routing "
+            f"{routed.verdict.value} with {routed.components}; please report this arm"
+        )
+    rests_on = tuple(dict.fromkeys((*found.rests_on, *routed.rests_on)))
+    return replace(found, rests_on=rests_on, confirmed=True)
 
 
 def _sentence(decision: SurfaceDecision) -> str:

@@ -13,7 +13,7 @@ from cuspaudit.algebra.trigonometric import factor_on_circles
 from cuspaudit.audit.answer import Answer, Undecided, answer
 from cuspaudit.audit.aspects import count_aspects
 from cuspaudit.audit.crosscheck import CrossCheck, crosscheck
-from cuspaudit.audit.pair_witness import needs_pairs, searched_pairs
+from cuspaudit.audit.pair_witness import needs_pairs, not_asked, searched_pairs
 from cuspaudit.audit.pinocchio_model import is_readable
 from cuspaudit.audit.six_joint_witness import HAIR_POSES, needs_search, searched
 from cuspaudit.audit.versions import versions
@@ -48,6 +48,8 @@ class Options:
         locked: joints held fixed in the chain, as the user wrote them.
         progress: called with the name of each step before it runs.
         snap: which numbers are taken for others.
+        engine: the route to connectivity, "auto", "roadmap" or "routing"; or "pairs",
+            which proves a cuspidal verdict and gives evidence else.
     """
 
     seed: int = 0
@@ -55,6 +57,7 @@ class Options:
     locked: Mapping[str, str] | None = None
     progress: Callable[[str], None] = lambda step: None
     snap: SnapPolicy = DEFAULT_POLICY
+    engine: str = "auto"
 
 
 @dataclass(frozen=True, eq=False)
@@ -247,6 +250,11 @@ class _Clock:
         self._start = time.perf_counter()
         self._options = options
 
+    @property
+    def engine(self) -> str:
+        """The route to connectivity that was asked for."""
+        return self._options.engine
+
     @contextmanager
     def stage(self, name: str) -> Iterator[None]:
         """Add the time of the block to ``name`` and to the total."""
@@ -286,7 +294,9 @@ class _Clock:
 
 def _decide(robot: Robot, model: ExactModel, clock: _Clock) -> Answer:
     try:
-        return answer(model, clock.step)
+        if clock.engine == "pairs":
+            return not_asked(model)
+        return answer(model, clock.step, clock.engine)
     except DegenerateMapError as error:
         chain = model.chain
         raise DegenerateMapError(
@@ -411,7 +421,7 @@ def _shown(witness: Witness, model: str, certificate: str | None) -> dict[str, A
 
 def _engine(found: Answer) -> str | None:
     if found.decision is not None:
-        return "roadmap"
+        return "routing" if found.confirmed else "roadmap"
     if found.pairs is not None:
         return "pairs"
     return "search" if found.search is not None else None

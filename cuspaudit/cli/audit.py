@@ -13,9 +13,9 @@ from cuspaudit.cli.options import (
     AngleUnit,
     Base,
     Convention,
-    Engine,
-    EngineName,
     Lock,
+    RobotEngine,
+    RobotEngineName,
     RobotName,
     Seed,
     Snap,
@@ -53,7 +53,7 @@ def audit(
             "record of the exact run."
         ),
     ] = None,
-    engine: EngineName = Engine.auto,
+    engine: RobotEngineName = RobotEngine.auto,
     snap: Snap = "default",
     seed: Seed = 0,
     timeout: Timeout = None,
@@ -62,7 +62,6 @@ def audit(
     ] = False,
 ) -> None:
     """Import, decide, certify, cross-check and report: the main job."""
-    del engine
     from cuspaudit.audit.proof_record import proof_record
     from cuspaudit.audit.writing import check_writable, write_text
 
@@ -72,7 +71,7 @@ def audit(
     for file in files:
         check_writable(file)
     opened, locked = open_named(robot, base, tip, task, lock, convention, angle_unit)
-    result = run_audit(opened, locked, seed, timeout, snap)
+    result = run_audit(opened, locked, seed, timeout, snap, engine.value)
     proof = certificate_text(result)
     written = str(certificate) if certificate and proof else None
     record = result.record(written)

@@ -22,6 +22,7 @@ def run_audit(
     seed: int,
     timeout: float | None,
     snap: str,
+    engine: str = "auto",
 ) -> Audit:
     """The audit of a robot, its steps shown on a terminal.
 
@@ -33,7 +34,7 @@ def run_audit(
 
     policy = policy_from_name(snap)
     with progress_line("import") as step:
-        return audit(robot, Options(seed, timeout, locked, step, policy))
+        return audit(robot, Options(seed, timeout, locked, step, policy, engine))
 
 
 def certificate_text(result: Audit) -> str | None:

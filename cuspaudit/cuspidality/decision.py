@@ -35,7 +35,7 @@ from cuspaudit.errors import DegenerateMapError, RetryableError, UnableError
 from cuspaudit.geometry.assumption_a import check_assumption_a
 from cuspaudit.geometry.crit import crit
 from cuspaudit.geometry.generic_fiber import GenericFiber, generic_fiber
-from cuspaudit.geometry.open_cells import open_cells
+from cuspaudit.geometry.open_cells import OpenCells, open_cells
 from cuspaudit.geometry.routing import routing
 from cuspaudit.geometry.sheet_roadmap import sheet_roadmap
 
@@ -154,8 +154,8 @@ def decide(
     run = Decision(variety, mapping)
     steps = Steps(progress, timeout)
     try:
-        _prepare(run, steps, seed)
-        _connect(run, steps, engine, seed)
+        values = _prepare(run, steps, seed)
+        _connect(run, steps, values, engine, seed)
     except UnableError as limit:
         run.failure = limit
     except RetryableError as unlucky:
@@ -165,7 +165,7 @@ def decide(
     return run
 
 
-def _prepare(run: Decision, steps: Steps, seed: int) -> None:
+def _prepare(run: Decision, steps: Steps, seed: int) -> tuple[GenericFiber, OpenCells]:
     """Steps 1 to 8 of the algorithm: Delta, g, Q and the points over Q."""
     variety, mapping = run.variety, run.mapping
     steps.begin("crit")
@@ -182,6 +182,7 @@ def _prepare(run: Decision, steps: Steps, seed: int) -> None:
     steps.begin("sample_points")
     for value in cells.samples.values():
         run.samples[value] = points_over(fiber, value).real_points()
+    return fiber, cells
 
 
 def points_over(
@@ -202,13 +203,23 @@ def points_over(
     )
 
 
-def _connect(run: Decision, steps: Steps, engine: Engine, seed: int) -> None:
+def _connect(
+    run: Decision,
+    steps: Steps,
+    values: tuple[GenericFiber, OpenCells],
+    engine: Engine,
+    seed: int,
+) -> None:
     """Steps 9 to 14: connectivity by one route, or the other where that is unable."""
     routes = ("roadmap", "routing") if engine == "auto" else (engine,)
     for route in routes:
         try:
             steps.begin(route)
-            graph = _graph(run, route, steps, seed)
+            graph = (
+                _sheets(run, steps, *values, seed)
+                if route == "roadmap"
+                else _routed(run, steps, seed)
+            )
             steps.begin("graph_connected")
             run.couple = next(_couples(run, graph), None)
         except (UnableError, RetryableError):
@@ -221,10 +232,26 @@ def _connect(run: Decision, steps: Steps, engine: Engine, seed: int) -> None:
         return
 
 
-def _graph(run: Decision, route: str, steps: Steps, seed: int) -> Connectivity:
+def _sheets(
+    run: Decision, steps: Steps, fiber: GenericFiber, cells: OpenCells, seed: int
+) -> Connectivity:
+    """The roadmap, on which the sample points are vertices from the start."""
+    roadmap = sheet_roadmap(
+        run.variety,
+        run.mapping,
+        fiber=fiber,
+        cells=cells,
+        timeout=_limit(steps),
+        seed=seed,
+    )
+    for cell, value in cells.samples.items():
+        for i, point in enumerate(run.samples[value]):
+            roadmap.placed[point] = (cell, i), value
+    return roadmap
+
+
+def _routed(run: Decision, steps: Steps, seed: int) -> Connectivity:
     limit = _limit(steps)
-    if route == "roadmap":
-        return sheet_roadmap(run.variety, run.mapping, timeout=limit, seed=seed)
     return routing(run.variety, run.mapping, run.minors, timeout=limit, seed=seed)
 
 
