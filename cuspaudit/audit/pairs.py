@@ -95,7 +95,8 @@ def pair_maxima(
         starts: random starts a round; a part of them become pairs.
 
     Raises:
-        UnableError: a joint is prismatic, or the time was up before the first round.
+        UnableError: a joint is prismatic, or the time was up before the first round,
+            or floating point failed.
         DegenerateMapError: det J vanishes identically.
     """
     h = TorusFunction.from_polynomial(
@@ -111,8 +112,16 @@ def pair_maxima(
             progress(f"pairs: round {number + 1} of {_ROUNDS}")
         except UnableError:
             break
-        rounds.append(space.maxima(space.random_pairs(starts, rng)))
+        rounds.append(_round(space, starts, rng))
     return _record(space, rounds, together, told_by, seed)
+
+
+def _round(space: PairSpace, starts: int, rng: np.random.Generator) -> Maxima:
+    try:
+        with np.errstate(all="ignore"):
+            return space.maxima(space.random_pairs(starts, rng))
+    except np.linalg.LinAlgError as error:
+        raise UnableError("pairs", str(error)) from None
 
 
 def _judge(model: ExactModel, seed: int) -> tuple[Judge, str]:

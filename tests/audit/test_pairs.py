@@ -124,6 +124,19 @@ def test_an_end_of_time_keeps_what_was_met() -> None:
     assert 0 < short.pairs < pair_maxima(model, starts=128).pairs
 
 
+def test_a_failure_of_floating_point_is_no_crash(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """A singular matrix met on the way ends the search with its reason."""
+
+    def singular(self: PairSpace, pairs: np.ndarray) -> None:
+        raise np.linalg.LinAlgError("Singular matrix")
+
+    monkeypatch.setattr(PairSpace, "maxima", singular)
+    with pytest.raises(UnableError, match="Singular matrix"):
+        pair_maxima(model_of("chablat-2022-3r"), starts=8)
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("seed", range(24))
 def test_random_arms_agree_with_the_exact_engine(seed: int) -> None:
