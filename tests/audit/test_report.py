@@ -138,14 +138,16 @@ def test_a_reduction_is_named(audits: dict[str, Audit]) -> None:
 
 @pytest.mark.slow
 def test_an_undecided_arm_says_what_was_tried() -> None:
-    """Step, reason, structures looked for, the search, and what would settle it."""
-    chain = with_wrist(arm((1, ".7", ".3"), (0, ".2", 0), (-90, 90, 0)), (-60, 90))
-    record = audit(Robot("skew wrist", "skew.yaml", chain), Options(seed=3)).record()
+    """Step, reason, structures looked for, search, pairs, and what would settle it."""
+    chain = with_wrist(arm((1, 2, "3/2"), (0, 1, 0), (-90, 90, 0)), (3, 4))
+    record = audit(Robot("stiff wrist", "stiff.yaml", chain), Options(seed=3)).record()
     undecided = record["undecided"]
     jsonschema.validate(json.loads(json.dumps(record)), _schema())
     assert undecided["search"]["seed"] == 3
     assert sum(undecided["search"]["postures"].values()) == undecided["search"]["poses"]
     assert undecided["search"]["pairs"] > 0
+    assert undecided["pairs"]["seed"] == 3
+    assert undecided["pairs"]["together"] == 0
     assert undecided["step"]
     assert undecided["why"]
     assert len(undecided["looked_for"]) >= 3
