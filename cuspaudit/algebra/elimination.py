@@ -8,7 +8,7 @@ the coefficients). Only gcds need the field itself; they go through sympy, once 
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from math import lcm
+from math import gcd, lcm
 
 from flint import Ordering, fmpq, fmpz, fmpz_mpoly, fmpz_mpoly_ctx, fmpz_poly
 
@@ -16,6 +16,7 @@ from cuspaudit.algebra.interpolation import Row, interpolated_discriminant
 from cuspaudit.algebra.ring import Polynomial, Ring
 
 __all__ = [
+    "deflated",
     "discriminant",
     "exact_quotient",
     "leading_coefficient",
@@ -56,6 +57,23 @@ def discriminant(ring: Ring, p: Polynomial, name: str) -> Polynomial:
         return plain + surd * ring.surd if ring.radicand else plain
     value = integral.discriminant(name)
     return ring.reduce(ring.context.from_dict(value.to_dict()))
+
+
+def deflated(
+    ring: Ring, polynomials: Sequence[Polynomial], name: str
+) -> tuple[list[Polynomial], int]:
+    """The q_i, with p_i = q_i(name^k), for the largest k common to all; and k.
+
+    >>> ring = Ring(["x", "y"])
+    >>> x, y = ring.gens
+    >>> deflated(ring, [x**4 + y * x**2 + 1], "x")
+    ([x^2 + x*y + 1], 2)
+    """
+    i = ring.context.variable_to_index(name)
+    k = gcd(*(int(e[i]) for p in polynomials for e in p.to_dict()))
+    if k < 2:
+        return list(polynomials), 1
+    return [_divided(ring, p, i, k) for p in polynomials], k
 
 
 def leading_coefficient(ring: Ring, p: Polynomial, name: str) -> Polynomial:
@@ -123,6 +141,13 @@ def rational_factors(ring: Ring, polynomials: Iterable[Polynomial]) -> list[Poly
         parts = [factor for factor, _ in ring.norm(p).factor()[1]]
         found += [part for part in parts if part not in found]
     return found
+
+
+def _divided(ring: Ring, p: Polynomial, i: int, k: int) -> Polynomial:
+    terms = p.to_dict().items()
+    return ring.context.from_dict(
+        {(*e[:i], int(e[i]) // k, *e[i + 1 :]): c for e, c in terms}
+    )
 
 
 def _rows(ring: Ring, p: fmpz_mpoly, outer: str, inner: str) -> list[Row]:

@@ -119,7 +119,7 @@ class PairSpace:
     def slopes(self, pairs: Array) -> tuple[Array, Array]:
         """The derivative of the height along q, (m, n), and B, (m, n, n)."""
         jacobian = moved(self.arm, pairs)[1][..., : self.rows, :]
-        follow = np.linalg.solve(jacobian[:, 1], jacobian[:, 0])
+        follow = np.linalg.solve(jacobian[:, 1], jacobian[:, 0]).astype(np.float64)
         angles = pairs + self.zeros
         own = self.h.gradient(angles) / self.h(angles)[..., None]
         return own[:, 0] + np.einsum("mji,mj->mi", follow, own[:, 1]), follow

@@ -87,10 +87,11 @@ class Ridge:
             way = np.array([start[k], target[k]])
             self._keep(int(above[k]), int(below[k]), float(low[k]), way)
         near = self._nearest(ways[-1]) if n else np.zeros(0, dtype=np.int64)
-        for k in range(m if n else 0):
-            i, j, level = near[k], near[m + k], self.sign * float(self.h(passes[k]))
+        for t in range(m if n else 0):
+            i, j = int(near[t]), int(near[m + t])
+            level = self.sign * float(self.h(passes[t]))
             if i != j and level > self._low[i, j]:
-                way = np.vstack([ways[::-1, k], passes[k], ways[:, m + k]])
+                way = np.vstack([ways[::-1, t], passes[t], ways[:, m + t]])
                 self._keep(int(i), int(j), level, way)
         self._via = _widest(self._low)
 

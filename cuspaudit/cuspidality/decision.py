@@ -33,6 +33,7 @@ from cuspaudit.cuspidality.steps import Step, Steps
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import DegenerateMapError, RetryableError, UnableError
 from cuspaudit.geometry.assumption_a import check_assumption_a
+from cuspaudit.geometry.axis_order import axis_order
 from cuspaudit.geometry.crit import crit
 from cuspaudit.geometry.generic_fiber import GenericFiber, generic_fiber
 from cuspaudit.geometry.open_cells import OpenCells, open_cells
@@ -178,10 +179,14 @@ def _prepare(run: Decision, steps: Steps, seed: int) -> tuple[GenericFiber, Open
     fiber = generic_fiber(variety, mapping, _limit(steps), seed)
     run.atypical = [fiber.leading, fiber.discriminant]
     steps.begin("sample_points_rational")
-    cells = open_cells(fiber.ring, run.atypical, fiber.values)
+    order = axis_order(fiber.ring, run.atypical, fiber.values)
+    fiber = fiber.reordered(order)
+    boundary = [fiber.leading, fiber.discriminant]
+    cells = open_cells(fiber.ring, boundary, fiber.values)
     steps.begin("sample_points")
     for value in cells.samples.values():
-        run.samples[value] = points_over(fiber, value).real_points()
+        own = tuple(value[order.index(i)] for i in range(len(order)))
+        run.samples[own] = points_over(fiber, value).real_points()
     return fiber, cells
 
 
@@ -238,14 +243,15 @@ def _sheets(
     """The roadmap, on which the sample points are vertices from the start."""
     roadmap = sheet_roadmap(
         run.variety,
-        run.mapping,
+        fiber.mapping,
         fiber=fiber,
         cells=cells,
         timeout=_limit(steps),
         seed=seed,
     )
-    for cell, value in cells.samples.items():
-        for i, point in enumerate(run.samples[value]):
+    samples = zip(cells.samples.items(), run.samples.values(), strict=True)
+    for (cell, value), points in samples:
+        for i, point in enumerate(points):
             roadmap.placed[point] = (cell, i), value
     return roadmap
 

@@ -51,7 +51,8 @@ class Curve:
     def line(self, form: tuple[fmpq, ...] | Form) -> Polynomial:
         """The linear form with these weights, in the ring of f."""
         ring = self.system.ring
-        return ring.total(w * x for w, x in zip(form, ring.gens, strict=True))
+        weights = (fmpq(w) for w in form)
+        return ring.total(w * x for w, x in zip(weights, ring.gens, strict=True))
 
 
 def one_dimensional_parametrization(

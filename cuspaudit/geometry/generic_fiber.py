@@ -89,6 +89,24 @@ class GenericFiber:
         """The number of complex points over a generic value."""
         return int(self.omega.degrees()[0])
 
+    def reordered(self, order: Sequence[int]) -> GenericFiber:
+        """The same fibers for the map with components r_i, i in ``order``."""
+        components = tuple(self.mapping.components[i] for i in order)
+        t, *y = self.ring.gens
+        moved = [y[order.index(i)] for i in range(len(order))]
+
+        def renamed(p: Polynomial) -> Polynomial:
+            return p.compose(t, *moved, ctx=self.ring.context)
+
+        return GenericFiber(
+            self.variety,
+            PolynomialMap(self.mapping.ring, components),
+            self.ring,
+            self.form,
+            renamed(self.omega),
+            tuple(map(renamed, self.rho)),
+        )
+
     def is_regular(self, value: Sequence[fmpq]) -> bool:
         """Whether lc disc is not 0 at the value."""
         omega = self._special(self.omega, value)

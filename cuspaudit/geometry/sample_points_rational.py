@@ -14,6 +14,7 @@ from itertools import combinations
 from flint import fmpq
 
 from cuspaudit.algebra.elimination import (
+    deflated,
     discriminant,
     leading_coefficient,
     rational_factors,
@@ -86,15 +87,22 @@ def _lift(
 def project(ring: Ring, polynomials: list[Polynomial], name: str) -> list[Polynomial]:
     """The zeros of the result contain every place where the roots change order.
 
-    One of them is 0 exactly when the input has a multiple or a common factor.
+    One of them is 0 exactly when the input has a multiple or a common factor. The
+    roots of q(x^k) change where those of q do or one of them is 0, and those of
+    q(x^k) and r(x^k) meet where those of q and r do.
     """
     projected = []
     vertical = [p for p in polynomials if p.derivative(name) == 0]
     rest = [p for p in polynomials if p.derivative(name) != 0]
     for p in rest:
+        (q,), k = deflated(ring, [p], name)
         projected.append(leading_coefficient(ring, p, name))
-        projected.append(discriminant(ring, p, name))
-    projected += [resultant(ring, p, q, name) for p, q in combinations(rest, 2)]
+        projected.append(discriminant(ring, q, name))
+        if k > 1:
+            projected.append(ring.substitute(p, {name: 0}))
+    for pair in combinations(rest, 2):
+        (p, q), _ = deflated(ring, pair, name)
+        projected.append(resultant(ring, p, q, name))
     return projected + vertical
 
 

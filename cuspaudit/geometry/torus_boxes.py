@@ -64,8 +64,8 @@ class Boxes:
 
     def only(self, chosen: Truths | NDArray[np.int64]) -> Boxes:
         """The chosen boxes, in the order chosen."""
-        parts = (x[chosen] for x in (self.value, self.slope, self.second))
-        return Boxes(self.r, self.slack, *parts, self.third)
+        value, slope = self.value[chosen], self.slope[chosen]
+        return Boxes(self.r, self.slack, value, slope, self.second[chosen], self.third)
 
     def inside(self) -> Truths:
         """Where f > 0 on the box."""
@@ -95,7 +95,7 @@ class Boxes:
             width = np.full(len(left), 1.001 * np.pi / _ARCS)
             left = left[self.only(left)._flat_on_no_arc(centers, width)]
         found[left] = True
-        return found
+        return np.asarray(found)
 
     @cached_property
     def _size(self) -> Array:

@@ -61,7 +61,7 @@ class TorusFunction:
     @property
     def dimension(self) -> int:
         """The dimension k of the torus."""
-        return self.frequencies.shape[1]
+        return int(self.frequencies.shape[1])
 
     @cached_property
     def size(self) -> float:
