@@ -26,7 +26,8 @@ def axis_order(
 
     Returns:
         A permutation: last the axis along which the projection has the least degree,
-        the others as they were. It is a choice of convenience; nothing rests on it.
+        before it the one along which that projection has, and so on. It is a choice of
+        convenience; nothing rests on it.
     """
     places = tuple(range(len(variables)))
     if len(places) < 2:
@@ -35,7 +36,12 @@ def axis_order(
     best = min(
         reversed(places), key=lambda i: _projected_degree(ring, factors, variables, i)
     )
-    return (*(i for i in places if i != best), best)
+    rest = tuple(i for i in places if i != best)
+    if len(rest) > 1:
+        projected = [p for p in project(ring, factors, variables[best]) if p != 0]
+        below = axis_order(ring, projected, [variables[i] for i in rest])
+        rest = tuple(rest[i] for i in below)
+    return (*rest, best)
 
 
 def _projected_degree(

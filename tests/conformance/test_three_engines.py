@@ -1,0 +1,38 @@
+"""The general algorithm against the fast one for two joints, on random 3R arms."""
+
+from __future__ import annotations
+
+import random
+
+import pytest
+from short_tables import arm
+
+from cuspaudit.cuspidality import decide, decide_surface
+from cuspaudit.kinematics.exact_model import exact_model
+from cuspaudit.kinematics.polynomial_map import reduced_map
+
+
+def random_table(seed: int) -> tuple[tuple[object, ...], ...]:
+    """(a, d, alpha) of an arm with right-angle twists, lengths in tenths."""
+    chance = random.Random(f"three engines {seed}")
+    a = (1, *(f"{chance.randint(1, 30) / 10}" for _ in range(2)))
+    d = (0, *(f"{chance.randint(-10, 10) / 10}" for _ in range(2)))
+    return a, d, (chance.choice([-90, 90]), chance.choice([90, -90]), 0)
+
+
+def compare(seed: int, engine: str) -> None:
+    """Verdict, aspects and postures of one arm by the general and the fast engine."""
+    variety, mapping = reduced_map(exact_model(arm(*random_table(seed))))
+    fast = decide_surface(variety, mapping)
+    run = decide(variety, mapping, engine)
+    assert run.failure is None
+    found = (run.verdict, run.components, run.most_points)
+    assert found == (fast.verdict, fast.aspects, fast.max_postures)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("engine", ["roadmap", "routing"])
+@pytest.mark.parametrize("seed", range(12))
+def test_the_general_algorithm_agrees_with_the_fast_one(seed: int, engine: str) -> None:
+    """Both routes of the general algorithm give what the engine of arms gives."""
+    compare(seed, engine)
