@@ -41,7 +41,7 @@ def test_a_reordered_fiber_is_that_of_the_reordered_map() -> None:
         assert here == there
 
 
-@pytest.mark.parametrize("order", permutations(range(3)))
+@pytest.mark.parametrize("order", list(permutations(range(3))))
 def test_the_order_of_components_changes_no_answer(order: tuple[int, ...]) -> None:
     """A cusp times a line has one verdict and one couple in every order."""
     components = (X**3 + X * Y, Y, Z)
