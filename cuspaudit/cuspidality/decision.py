@@ -40,10 +40,9 @@ from cuspaudit.geometry.open_cells import OpenCells, open_cells
 from cuspaudit.geometry.routing import routing
 from cuspaudit.geometry.sheet_roadmap import sheet_roadmap
 
-__all__ = ["ENGINES", "Couple", "Decision", "decide", "points_over"]
+__all__ = ["Couple", "Decision", "Engine", "decide", "points_over"]
 
 Engine = Literal["auto", "roadmap", "routing"]
-ENGINES: tuple[Engine, ...] = ("auto", "roadmap", "routing")
 
 _UNLIMITED = 1e6
 _EXACT = ("FLINT resultants", "FLINT root isolation", "exact signs", "ball arithmetic")

@@ -17,6 +17,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 
+from cuspaudit.algebra.tokens import Tokens
 from cuspaudit.kinematics.chain import Angle
 from cuspaudit.kinematics.numbers import parse_decimal
 from cuspaudit.kinematics.place import Place, quoted
@@ -140,45 +141,44 @@ class _Reader:
     def __init__(self, text: str, place: Place) -> None:
         self.names: set[str] = set()
         self._text, self._place = text.strip(), place
-        self._tokens = self._split()
-        self._next = 0
+        self._tokens = Tokens(text, _TOKEN, self._unreadable)
 
     def sum(self, depth: int) -> _Node:
         """The longest sum from here on."""
         if depth > _DEEPEST:
             raise self._place.error("parentheses too deep", "write less of them")
         result = self._product(depth)
-        while self._peek() in ("+", "-"):
-            result = (self._take(), result, self._product(depth))
+        while self._tokens.peek() in ("+", "-"):
+            result = (self._tokens.take(), result, self._product(depth))
         return result
 
     def end(self) -> None:
         """Check that nothing is left."""
-        if self._peek():
-            raise self._unreadable(self._peek())
+        if self._tokens.peek():
+            raise self._unreadable(self._tokens.peek())
 
     def _product(self, depth: int) -> _Node:
         result = self._factor(depth)
-        while self._peek() in ("*", "/"):
-            result = (self._take(), result, self._factor(depth))
-        if self._peek() in ("deg", "rad"):
-            degrees = self._take() == "deg"
+        while self._tokens.peek() in ("*", "/"):
+            result = (self._tokens.take(), result, self._factor(depth))
+        if self._tokens.peek() in ("deg", "rad"):
+            degrees = self._tokens.take() == "deg"
             unit = Angle(Fraction(1, 180)) if degrees else Angle(radians=Fraction(1))
             result = ("*", result, unit)
         return result
 
     def _factor(self, depth: int) -> _Node:
         negative = False
-        while self._peek() in ("+", "-"):
-            negative ^= self._take() == "-"
+        while self._tokens.peek() in ("+", "-"):
+            negative ^= self._tokens.take() == "-"
         node = self._atom(depth)
         return ("*", Fraction(-1), node) if negative else node
 
     def _atom(self, depth: int) -> _Node:
-        token = self._take()
+        token = self._tokens.take()
         if token == "(":
             node = self.sum(depth + 1)
-            if self._take() != ")":
+            if self._tokens.take() != ")":
                 raise self._place.error(f"{quoted(self._text)} lacks a )", _HOW)
             return node
         if token == "pi":
@@ -189,24 +189,6 @@ class _Reader:
         if token and (token[0].isdigit() or token[0] == "."):
             return parse_decimal(token, self._place)
         raise self._unreadable(token)
-
-    def _split(self) -> list[str]:
-        tokens, start = [], 0
-        while start < len(self._text):
-            match = _TOKEN.match(self._text, start)
-            if not match:
-                raise self._unreadable(self._text[start:].strip())
-            tokens.append(match[1] or match[2] or match[3])
-            start = match.end()
-        return tokens
-
-    def _peek(self) -> str:
-        return self._tokens[self._next] if self._next < len(self._tokens) else ""
-
-    def _take(self) -> str:
-        token = self._peek()
-        self._next += 1
-        return token
 
     def _unreadable(self, token: str) -> Exception:
         at = f"cannot be read at {quoted(token)}" if token else "ends too early"
