@@ -14,12 +14,13 @@ ALLOWED = {
     "errors": set(),
     "algebra": {"errors"},
     "geometry": {"errors", "algebra"},
-    "cuspidality": {"errors", "algebra", "geometry"},
+    "surface": {"errors", "algebra", "geometry"},
+    "cuspidality": {"errors", "algebra", "geometry", "surface"},
     "certificate": {"errors"},
     "kinematics": {"errors", "algebra"},
     "viz": {"errors", "certificate", "kinematics"},
     "audit": {
-        *("errors", "algebra", "geometry", "cuspidality"),
+        *("errors", "algebra", "geometry", "surface", "cuspidality"),
         *("certificate", "kinematics"),
     },
     "cli": {"errors", "audit", "certificate", "kinematics", "viz"},
@@ -27,8 +28,11 @@ ALLOWED = {
 }
 OWNERS = {
     "sympy": {"algebra"},
-    "flint": {"algebra", "geometry", "cuspidality", "certificate", "kinematics"},
-    "networkx": {"geometry"},
+    "flint": {
+        *("algebra", "geometry", "surface", "cuspidality"),
+        *("certificate", "kinematics"),
+    },
+    "networkx": {"geometry", "surface"},
     "yourdfpy": {"kinematics"},
     "meshcat": {"viz"},
     "matplotlib": {"viz"},

@@ -17,11 +17,11 @@ from cuspaudit.errors import (
     RetryableError,
     UnableError,
 )
-from cuspaudit.geometry.cusps import Count, cusps
-from cuspaudit.geometry.nodes import nodes
 from cuspaudit.kinematics.exact_model import ExactModel
 from cuspaudit.kinematics.polynomial_map import jacobian_determinant, reduced_map
 from cuspaudit.kinematics.reductions import LOOKED_FOR, Reduction, reduce_six_joints
+from cuspaudit.surface.cusps import Count, cusps
+from cuspaudit.surface.nodes import nodes
 
 __all__ = ["Answer", "Progress", "Undecided", "answer"]
 

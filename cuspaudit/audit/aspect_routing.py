@@ -13,12 +13,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cuspaudit.audit.aspects import count_aspects, revolute_circles
-from cuspaudit.geometry.cusps import Count
 from cuspaudit.geometry.torus_function import TorusFunction
 from cuspaudit.geometry.torus_routing import TorusRouting, WidestPath, torus_routing
 from cuspaudit.kinematics.exact_model import ExactModel
 from cuspaudit.kinematics.frames import angle_value
 from cuspaudit.kinematics.polynomial_map import jacobian_determinant
+from cuspaudit.surface.cusps import Count
 
 __all__ = ["AspectRouting", "route_aspects"]
 

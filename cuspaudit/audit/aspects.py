@@ -10,10 +10,10 @@ milliseconds. Otherwise covers with boxes count them, in seconds to minutes.
 from __future__ import annotations
 
 from cuspaudit.errors import UnableError
-from cuspaudit.geometry.cusps import Count
 from cuspaudit.geometry.torus_components import TorusComponents, torus_components
 from cuspaudit.kinematics.exact_model import ExactModel
 from cuspaudit.kinematics.polynomial_map import jacobian_determinant
+from cuspaudit.surface.cusps import Count
 
 __all__ = ["aspect_components", "count_aspects", "revolute_circles"]
 

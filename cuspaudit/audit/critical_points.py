@@ -15,7 +15,7 @@ import numpy as np
 from cuspaudit.audit.critical_curve import Piece
 from cuspaudit.audit.joint_surface import Array, JointSurface
 from cuspaudit.errors import CrossCheckError
-from cuspaudit.geometry.cusps import Count
+from cuspaudit.surface.cusps import Count
 
 __all__ = ["CriticalPoints", "critical_points"]
 

@@ -17,8 +17,8 @@ from cuspaudit.audit.value_plane import ValuePlane, value_plane
 from cuspaudit.cuspidality.surface_decision import SurfaceCouple, SurfaceDecision
 from cuspaudit.cuspidality.witness import posture_angles, propose_path
 from cuspaudit.errors import InvalidInputError, UnableError
-from cuspaudit.geometry.graph_isotop import RoadmapGraph, graph_isotop
-from cuspaudit.geometry.sample_points import Fiber, sample_points
+from cuspaudit.surface.graph_isotop import RoadmapGraph, graph_isotop
+from cuspaudit.surface.sample_points import Fiber, sample_points
 
 __all__ = ["Figures", "figures"]
 

@@ -18,8 +18,8 @@ from cuspaudit.audit.critical_curve import Band, Piece, bands
 from cuspaudit.audit.joint_surface import FULL_TURN, Array, JointSurface
 from cuspaudit.audit.value_plane import runs
 from cuspaudit.cuspidality.witness import posture_angles
-from cuspaudit.geometry.graph_isotop import RoadmapGraph
-from cuspaudit.geometry.sample_points import Fiber
+from cuspaudit.surface.graph_isotop import RoadmapGraph
+from cuspaudit.surface.sample_points import Fiber
 
 __all__ = ["Aspect", "JointPlane", "joint_plane"]
 

@@ -17,11 +17,11 @@ from cuspaudit.algebra.numeric import NumericPolynomial, numeric_values
 from cuspaudit.algebra.ring import Polynomial
 from cuspaudit.algebra.univariate import RealRoot
 from cuspaudit.cuspidality.surface_decision import SurfaceDecision
-from cuspaudit.geometry.surface import Factor
 from cuspaudit.kinematics.exact_model import ExactModel
 from cuspaudit.kinematics.frames import angle_value
 from cuspaudit.kinematics.polynomial_map import reduced_map
 from cuspaudit.kinematics.transform import dot
+from cuspaudit.surface.surface import Factor
 
 __all__ = ["FULL_TURN", "Array", "JointSurface"]
 

@@ -13,11 +13,11 @@ from cuspaudit.audit.time_limit import TimeUp, time_limit
 from cuspaudit.audit.witness import Witness, find_witness
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import CuspauditError, InvalidRobotError, UnableError
-from cuspaudit.geometry.cusps import Count
 from cuspaudit.kinematics.chain import Angle, Chain
 from cuspaudit.kinematics.exact_model import exact_model
 from cuspaudit.kinematics.expressions import Value
 from cuspaudit.kinematics.members import Family, exact_text
+from cuspaudit.surface.cusps import Count
 
 __all__ = ["Row", "decide_member", "failed_member"]
 

@@ -14,7 +14,7 @@ from typing import Any
 import cuspaudit
 from cuspaudit.audit.answer import Answer
 from cuspaudit.cuspidality.surface_decision import SurfaceDecision
-from cuspaudit.geometry.sample_points import Fiber
+from cuspaudit.surface.sample_points import Fiber
 
 __all__ = ["SCHEMA", "proof_record"]
 

@@ -19,7 +19,6 @@ from cuspaudit.audit.versions import versions
 from cuspaudit.audit.witness import Witness, find_witness
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import AssumptionError, DegenerateMapError, UnableError
-from cuspaudit.geometry.cusps import Count
 from cuspaudit.kinematics.chain import Angle, Chain
 from cuspaudit.kinematics.exact_model import ExactModel, exact_model
 from cuspaudit.kinematics.export import circle_names
@@ -27,6 +26,7 @@ from cuspaudit.kinematics.polynomial_map import jacobian_determinant
 from cuspaudit.kinematics.robot import Robot
 from cuspaudit.kinematics.snap_policy import DEFAULT_POLICY, SnapPolicy
 from cuspaudit.kinematics.snapping import Snapped, snap
+from cuspaudit.surface.cusps import Count
 
 __all__ = ["SCHEMA", "Audit", "Options", "audit"]
 

@@ -19,13 +19,13 @@ from cuspaudit.audit.lift import lift_position, lift_wrist, wrist_middle
 from cuspaudit.cuspidality.surface_decision import SurfaceDecision
 from cuspaudit.cuspidality.witness import SurfacePath, posture_angles
 from cuspaudit.errors import RetryableError, UnableError
-from cuspaudit.geometry.sample_points import Fiber
 from cuspaudit.geometry.torus_components import TorusComponents
 from cuspaudit.kinematics.chain import Chain, reverse
 from cuspaudit.kinematics.exact_model import ExactModel
 from cuspaudit.kinematics.export import circle_names
 from cuspaudit.kinematics.frames import angle_value
 from cuspaudit.kinematics.postures import PostureSolver, is_even
+from cuspaudit.surface.sample_points import Fiber
 
 __all__ = ["Shown", "shown_postures"]
 

@@ -10,8 +10,8 @@ from cuspaudit.audit.six_joint_search import SearchRecord, search
 from cuspaudit.audit.witness import Witness, certified
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import RetryableError
-from cuspaudit.geometry.cusps import Count
 from cuspaudit.kinematics.chain import Chain
+from cuspaudit.surface.cusps import Count
 
 __all__ = ["HAIR_POSES", "Searched", "needs_search", "search_witness", "searched"]
 

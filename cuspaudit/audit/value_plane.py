@@ -18,7 +18,7 @@ from cuspaudit.algebra.ring import Rational
 from cuspaudit.audit.critical_curve import Piece
 from cuspaudit.audit.critical_points import CriticalPoints
 from cuspaudit.audit.joint_surface import Array, JointSurface
-from cuspaudit.geometry.sample_points import Fiber
+from cuspaudit.surface.sample_points import Fiber
 
 __all__ = ["ValuePlane", "count_postures", "value_plane"]
 

@@ -33,12 +33,13 @@ from cuspaudit.cuspidality.steps import Step, Steps
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import DegenerateMapError, RetryableError, UnableError
 from cuspaudit.geometry.assumption_a import check_assumption_a
+from cuspaudit.geometry.atypical_values import AtypicalValues, atypical_values
 from cuspaudit.geometry.axis_order import axis_order
 from cuspaudit.geometry.crit import crit
-from cuspaudit.geometry.generic_fiber import GenericFiber, generic_fiber
+from cuspaudit.geometry.generic_fiber import GenericFiber
 from cuspaudit.geometry.open_cells import OpenCells, open_cells
+from cuspaudit.geometry.roadmap import roadmap
 from cuspaudit.geometry.routing import routing
-from cuspaudit.geometry.sheet_roadmap import sheet_roadmap
 
 __all__ = ["Couple", "Decision", "Engine", "decide", "points_over"]
 
@@ -175,13 +176,13 @@ def _prepare(run: Decision, steps: Steps, seed: int) -> tuple[GenericFiber, Open
     if not run.minors:
         raise DegenerateMapError("Delta vanishes identically: the map has no full rank")
     steps.begin("atypical_values")
-    fiber = generic_fiber(variety, mapping, _limit(steps), seed)
-    run.atypical = [fiber.leading, fiber.discriminant]
+    values = atypical_values(variety, mapping, _limit(steps), seed)
+    run.atypical = values.polynomials
     steps.begin("sample_points_rational")
+    fiber = values.fiber
     order = axis_order(fiber.ring, run.atypical, fiber.values)
     fiber = fiber.reordered(order)
-    boundary = [fiber.leading, fiber.discriminant]
-    cells = open_cells(fiber.ring, boundary, fiber.values)
+    cells = open_cells(fiber.ring, AtypicalValues(fiber).polynomials, fiber.values)
     steps.begin("sample_points")
     for value in cells.samples.values():
         own = tuple(value[order.index(i)] for i in range(len(order)))
@@ -240,7 +241,7 @@ def _sheets(
     run: Decision, steps: Steps, fiber: GenericFiber, cells: OpenCells, seed: int
 ) -> Connectivity:
     """The roadmap, on which the sample points are vertices from the start."""
-    roadmap = sheet_roadmap(
+    sheets = roadmap(
         run.variety,
         fiber.mapping,
         fiber=fiber,
@@ -251,8 +252,8 @@ def _sheets(
     samples = zip(cells.samples.items(), run.samples.values(), strict=True)
     for (cell, value), points in samples:
         for i, point in enumerate(points):
-            roadmap.placed[point] = (cell, i), value
-    return roadmap
+            sheets.placed[point] = (cell, i), value
+    return sheets
 
 
 def _routed(run: Decision, steps: Steps, seed: int) -> Connectivity:

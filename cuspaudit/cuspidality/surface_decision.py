@@ -13,15 +13,15 @@ from cuspaudit.algebra.system import PolynomialMap, PolynomialSystem
 from cuspaudit.algebra.univariate import Univariate
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import DegenerateMapError, UnableError
-from cuspaudit.geometry.atypical_values import atypical_values
 from cuspaudit.geometry.crit import crit
-from cuspaudit.geometry.fibers import FiberPolynomials, fiber_polynomials
 from cuspaudit.geometry.graph_connected import graph_connected
-from cuspaudit.geometry.graph_isotop import RoadmapGraph, graph_isotop
-from cuspaudit.geometry.roadmap import Roadmap, orient, roadmap
-from cuspaudit.geometry.sample_points import Fiber, Posture, sample_points
 from cuspaudit.geometry.sample_points_rational import sample_points_rational
-from cuspaudit.geometry.surface import Surface, product_factors
+from cuspaudit.surface.atypical_values import atypical_values
+from cuspaudit.surface.fibers import FiberPolynomials, fiber_polynomials
+from cuspaudit.surface.graph_isotop import RoadmapGraph, graph_isotop
+from cuspaudit.surface.roadmap import Roadmap, orient, roadmap
+from cuspaudit.surface.sample_points import Fiber, Posture, sample_points
+from cuspaudit.surface.surface import Surface, product_factors
 
 __all__ = ["SurfaceCouple", "SurfaceDecision", "decide_surface"]
 
@@ -137,7 +137,7 @@ def _couples(graph: RoadmapGraph, samples: list[Fiber]) -> Iterator[SurfaceCoupl
     for fiber in samples:
         placed = zip(fiber.postures, graph.vert(fiber), strict=True)
         for (a, vertex_a), (b, vertex_b) in combinations(placed, 2):
-            if graph_connected(graph, vertex_a, vertex_b):
+            if graph_connected(graph.graph, vertex_a, vertex_b):
                 yield SurfaceCouple(fiber.value, (a, b), vertex_a[1])
 
 

@@ -19,8 +19,8 @@ from numpy.typing import NDArray
 
 from cuspaudit.algebra.numeric import NumericPolynomial, numeric_values
 from cuspaudit.cuspidality.surface_decision import SurfaceCouple, SurfaceDecision
-from cuspaudit.geometry.sample_points import Posture
-from cuspaudit.geometry.surface import Factor, Surface
+from cuspaudit.surface.sample_points import Posture
+from cuspaudit.surface.surface import Factor, Surface
 
 __all__ = ["SurfacePath", "posture_angles", "propose_path", "propose_paths"]
 

@@ -5,32 +5,24 @@ from cuspaudit.geometry.atypical_values import atypical_values
 from cuspaudit.geometry.continuation import continue_point
 from cuspaudit.geometry.crit import crit
 from cuspaudit.geometry.curve_parametrization import one_dimensional_parametrization
-from cuspaudit.geometry.curve_topology import curve_graph
-from cuspaudit.geometry.cusps import cusps
 from cuspaudit.geometry.generic_fiber import generic_fiber
 from cuspaudit.geometry.graph_connected import graph_connected
 from cuspaudit.geometry.graph_isotop import graph_isotop
-from cuspaudit.geometry.nodes import nodes
 from cuspaudit.geometry.open_cells import open_cells
 from cuspaudit.geometry.proved_path import prove_path
 from cuspaudit.geometry.roadmap import roadmap
 from cuspaudit.geometry.routing import routing
 from cuspaudit.geometry.sample_points import sample_points
 from cuspaudit.geometry.sample_points_rational import sample_points_rational
-from cuspaudit.geometry.sample_points_semialgebraic import sample_points_semialgebraic
-from cuspaudit.geometry.sheet_roadmap import sheet_roadmap
 
 __all__ = [
     "atypical_values",
     "check_assumption_a",
     "continue_point",
     "crit",
-    "curve_graph",
-    "cusps",
     "generic_fiber",
     "graph_connected",
     "graph_isotop",
-    "nodes",
     "one_dimensional_parametrization",
     "open_cells",
     "prove_path",
@@ -38,6 +30,4 @@ __all__ = [
     "routing",
     "sample_points",
     "sample_points_rational",
-    "sample_points_semialgebraic",
-    "sheet_roadmap",
 ]

@@ -1,31 +1,54 @@
-"""Atypical values of a map from a surface to the plane (``AtypicalValues``)."""
+"""Atypical values of a polynomial map on a variety (``AtypicalValues``)."""
 
 from __future__ import annotations
 
-from cuspaudit.algebra.elimination import leading_coefficient, square_free_factors
+from dataclasses import dataclass
+
 from cuspaudit.algebra.ring import Polynomial
-from cuspaudit.geometry.fibers import FiberPolynomials
+from cuspaudit.algebra.system import PolynomialMap, PolynomialSystem
+from cuspaudit.geometry.generic_fiber import GenericFiber, generic_fiber
 
-__all__ = ["atypical_values"]
+__all__ = ["AtypicalValues", "atypical_values"]
 
 
-def atypical_values(fibers: FiberPolynomials) -> list[Polynomial]:
-    """Polynomials g of K[u, v] whose zeros contain every atypical value of R on V_R.
+@dataclass(frozen=True, eq=False)
+class AtypicalValues:
+    """Polynomials whose zeros contain every atypical value of R on V.
 
-    [Paper, routine AtypicalValues]. Two kinds of values are atypical:
-
-    - critical values: F has a multiple root over them (proved when ``fibers`` was
-      made), so its discriminant vanishes;
-    - values where R is not proper. V is bounded along a circle. Along a line, the
-      coordinate t satisfies an equation F_t(t; R) = 0; where the leading coefficient
-      of F_t does not vanish, t stays bounded [Jelonek 1999, Prop. 7].
-
-    Returns:
-        Square-free polynomials without common factor over Q; their union is proper.
+    Attributes:
+        fiber: the generic fiber of R, from which they come.
     """
-    ring, surface = fibers.ring, fibers.surface
-    found = [fibers.discriminant]
-    for name, factor in (("y", surface.fiber), ("x", surface.base)):
-        if factor.kind == "line":
-            found.append(leading_coefficient(ring, fibers.eliminant(name), name))
-    return square_free_factors(ring, found)
+
+    fiber: GenericFiber
+
+    @property
+    def polynomials(self) -> list[Polynomial]:
+        """The polynomials g_1, g_2 in Q[y_1..y_d]; neither is 0."""
+        return [self.fiber.leading, self.fiber.discriminant]
+
+
+def atypical_values(
+    variety: PolynomialSystem,
+    mapping: PolynomialMap,
+    timeout: float = 60.0,
+    seed: int = 1,
+) -> AtypicalValues:
+    """A proper algebraic set that contains the atypical values of R on V.
+
+    [Paper, section 3.1, routine AtypicalValues]: the closure of the critical values,
+    and of the values over which R is not proper [Jelonek 1999]. By the theorem of
+    ``geometry.generic_fiber``, over a value that is no zero of lc disc the map R is
+    proper and jac(f, R) has full rank.
+
+    Args:
+        variety: V = {f = 0} over Q, of dimension d; assumption (A) is not checked.
+        mapping: R: V -> R^d.
+        timeout: of each elimination, in s.
+        seed: of the linear form that tells the points of a fiber apart.
+
+    Raises:
+        DegenerateMapError: R is singular everywhere on V, or its image has a smaller
+            dimension.
+        UnableError: the coefficients are not rational, or an elimination is too large.
+    """
+    return AtypicalValues(generic_fiber(variety, mapping, timeout, seed))

@@ -145,7 +145,7 @@ def _separating(
         pairs = zip(intervals, map(second.place, points), strict=True)
         if len(set(pairs)) == len(points):
             return first, second
-    raise UnableError("curve_graph", "no coordinate separates the points of a fiber")
+    raise UnableError("graph_isotop", "no coordinate separates the points of a fiber")
 
 
 def _place(chosen: Sequence[Ruler], listed: set[int], point: RealPoint) -> Place:

@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
-import networkx as nx
+from typing import TypeVar
 
-from cuspaudit.geometry.graph_isotop import RoadmapGraph, Vertex
+import networkx as nx
 
 __all__ = ["graph_connected"]
 
+V = TypeVar("V")
 
-def graph_connected(graph: RoadmapGraph, first: Vertex, second: Vertex) -> bool:
+
+def graph_connected(graph: nx.Graph[V], first: V, second: V) -> bool:
     """Whether two vertices are connected; a vertex is connected to itself.
 
     [Paper, routine GraphConnected].
     """
-    return bool(nx.has_path(graph.graph, first, second))
+    return bool(nx.has_path(graph, first, second))

@@ -1,144 +1,157 @@
-"""The postures over one value (``SamplePoints`` for a finite fiber)."""
+"""Points in every component of {g_1 = ... = g_s = 0, h_1 > 0, ..., h_t > 0}.
+
+[Paper, proposition 1, routine SamplePoints], by critical points of a height.
+
+**Theorem.** Let V = {g = 0} have dimension d everywhere, P = h_1 ... h_t, and G = 2
+log|P| - k log(1 + |x - a|^2) with k > deg P, or k >= 0 when V is bounded. Every
+component X of {g = 0, h > 0} contains a point where jac g has rank < n - d, or a
+critical point of G on V.
+
+Proof. On V - {P = 0} no h_j changes its sign along a path, so X is a component of it.
+X is closed there and G tends to minus infinity at {P = 0} and at infinity, so G has a
+maximum on X. If jac g has rank n - d at it, V is a manifold near it and X an open part;
+so it is a critical point. QED
+
+Hence the finitely many complex solutions of both systems, where they are finitely many,
+contain a sample; those with all h_j > 0 are chosen exactly.
+"""
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from collections.abc import Sequence
+from contextlib import suppress
+from dataclasses import dataclass
+from functools import reduce
+from itertools import combinations
+from operator import mul
 
-from flint import acb_poly, arb, ctx, fmpq
-
+from cuspaudit.algebra.ideal import groebner_basis
+from cuspaudit.algebra.matrix import determinant, jacobian
+from cuspaudit.algebra.parametrization import (
+    RealPoint,
+    ZeroDimensionalParametrization,
+)
 from cuspaudit.algebra.ring import Polynomial
-from cuspaudit.algebra.univariate import PRECISIONS, Univariate, real_balls
-from cuspaudit.errors import PrecisionError
-from cuspaudit.geometry.fibers import FiberPolynomials
+from cuspaudit.algebra.system import PolynomialSystem
+from cuspaudit.algebra.zero_dimensional import solve_zero_dimensional
+from cuspaudit.errors import (
+    NotZeroDimensionalError,
+    RealPartSingularError,
+    UnableError,
+)
+from cuspaudit.geometry.assumption_a import check_assumption_a
+from cuspaudit.geometry.height import critical_system, heights
 
-__all__ = ["Fiber", "Posture", "sample_points"]
+__all__ = ["Sample", "sample_points"]
+
+_STEP = "sample_points"
 
 
 @dataclass(frozen=True, eq=False)
-class Fiber:
-    """All the postures over the value (u, v).
+class Sample:
+    """Finitely many points that meet every component of {g = 0, h > 0}.
 
     Attributes:
-        value: (u, v), rational and regular.
-        polynomial: F(.; u, v), with simple roots.
-        postures: one for each real root, by increasing separating coordinate.
+        parametrizations: sets of points whose union contains the sample, with the
+            grounds on which they are complete.
+        points: the real ones with all h_j > 0; none exactly when the set is empty.
     """
 
-    value: tuple[fmpq, fmpq]
-    polynomial: Univariate
-    postures: tuple[Posture, ...] = field(repr=False)
+    parametrizations: tuple[ZeroDimensionalParametrization, ...]
+    points: tuple[RealPoint, ...]
 
 
-class Posture:
-    """One posture: a simple real root of F and what follows from it rationally."""
-
-    def __init__(
-        self,
-        fibers: FiberPolynomials,
-        polynomial: Univariate,
-        partner: tuple[Univariate, Univariate],
-        index: int,
-    ) -> None:
-        self.fibers = fibers
-        self.index = index
-        self._polynomial = polynomial
-        self._partner = partner
-        self._cache: dict[int, tuple[arb, arb]] = {}
-
-    def chart(self, bits: int) -> tuple[arb, arb]:
-        """Isolating balls of the chart coordinates (y, x).
-
-        Raises:
-            PrecisionError: the second coordinate is not enclosed with ``bits`` bits.
-        """
-        if bits not in self._cache:
-            self._cache[bits] = self._chart(bits)
-        return self._cache[bits]
-
-    def _chart(self, bits: int) -> tuple[arb, arb]:
-        saved, ctx.prec = ctx.prec, bits
-        try:
-            t = isolated_real_roots(self._polynomial)[self.index]
-            s1, s0 = (p(t) for p in self._partner)
-            if s1.contains(0):
-                raise PrecisionError("second coordinate of a posture", bits)
-            other = -s0 / s1
-        finally:
-            ctx.prec = saved
-        return (t, other) if self.fibers.separating == "y" else (other, t)
-
-    def coordinates(self, bits: int) -> dict[str, arb]:
-        """Isolating balls of the variables of R^n."""
-        return self.fibers.surface.coordinates(*self.chart(bits))
-
-    def sign(self, numerator: Polynomial) -> int:
-        """The sign of a polynomial of K[y, x] that does not vanish here.
-
-        Raises:
-            PrecisionError: it could not be told from zero.
-        """
-        ring, saved = self.fibers.ring, ctx.prec
-        try:
-            for bits in PRECISIONS:
-                ctx.prec = bits
-                try:
-                    y, x = self.chart(bits)
-                except PrecisionError:
-                    continue
-                value = ring.evaluate(numerator, {"y": y, "x": x})
-                if not value.contains(0):
-                    return 1 if value > 0 else -1
-        finally:
-            ctx.prec = saved
-        raise PrecisionError("sign of Delta at a posture", PRECISIONS[-1])
-
-
-def sample_points(fibers: FiberPolynomials, value: tuple[fmpq, fmpq]) -> Fiber:
-    """Every real posture over a regular value, isolated.
-
-    [Paper, routine SamplePoints on (f, R - q)]. Complete: the simple real roots of
-    F(.; q) are the postures (see ``geometry.fibers``).
+def sample_points(
+    variety: PolynomialSystem,
+    conditions: Sequence[Polynomial] = (),
+    *,
+    timeout: float = 60.0,
+    seed: int = 1,
+) -> Sample:
+    """A point in every connected component of {g = 0, h > 0}.
 
     Args:
-        fibers: the fiber polynomials of R.
-        value: q = (u, v), not atypical and outside ``fibers.chart_gap()``.
-    """
-    ring, name = fibers.ring, fibers.separating
-    at = dict(zip(("u", "v"), value, strict=True))
-
-    def specialise(polynomial: Polynomial) -> Univariate:
-        return Univariate.from_polynomial(ring, ring.substitute(polynomial, at), name)
-
-    polynomial = specialise(fibers.polynomial)
-    s1, s0 = (specialise(p) for p in fibers.linear_factor)
-    count = len(isolated_real_roots(polynomial))
-    postures = (Posture(fibers, polynomial, (s1, s0), i) for i in range(count))
-    return Fiber(value, polynomial, tuple(postures))
-
-
-def isolated_real_roots(polynomial: Univariate) -> list[arb]:
-    """Balls of the real roots of a polynomial with simple roots, increasing.
-
-    Over Q(sqrt m) the complex roots are isolated with ball coefficients, to half of
-    the working precision; a root whose ball meets the real axis is real, since its
-    conjugate lies in the same ball.
+        variety: {g = 0} over Q, of one dimension everywhere (checked), with finitely
+            many complex points where h != 0 and jac g drops rank; s = 0 for R^n.
+        conditions: h_1..h_t.
+        timeout: of each system, in s.
+        seed: of the centre a, and of the solver's linear forms.
 
     Raises:
-        PrecisionError: the roots were not separated.
+        NotEquidimensionalError: V has components of several dimensions.
+        NotRadicalError: g vanishes to a higher order on V.
+        UnableError: infinitely many singular points, every height tried has
+            infinitely many critical points, or a system is too large.
     """
-    if polynomial.radicand is None or polynomial.surd == 0:
-        return real_balls(polynomial.rational.numer())
-    saved, bits = ctx.prec, int(ctx.prec)
+    ring = variety.ring
+    if ring.radicand is not None:
+        raise UnableError(_STEP, "coefficients outside Q")
+    equations = tuple(g for g in variety.equations if g != 0)
+    variety, product = (
+        PolynomialSystem(ring, equations),
+        reduce(mul, conditions, ring.constant(1)),
+    )
+    dimension = len(ring.variables)
+    if equations:
+        dimension = groebner_basis(ring, equations).dimension
+    if dimension < 0 or product == 0:
+        return Sample((), ())
+    _check_dimension(variety, dimension, seed)
+    sets = (
+        _singular(variety, dimension, product, timeout, seed),
+        _critical(variety, dimension, product, timeout, seed),
+    )
+    points = (p for each in sets for p in each.real_points())
+    inside = (p for p in points if all(p.sign(h, ring) > 0 for h in conditions))
+    return Sample(sets, tuple(inside))
+
+
+def _check_dimension(variety: PolynomialSystem, dimension: int, seed: int) -> None:
+    """V has dimension d everywhere: no component is smaller than n - s."""
+    if len(variety.equations) + dimension > len(variety.ring.variables):
+        with suppress(RealPartSingularError):
+            check_assumption_a(variety, dimension, seed)
+
+
+def _singular(
+    variety: PolynomialSystem,
+    dimension: int,
+    product: Polynomial,
+    timeout: float,
+    seed: int,
+) -> ZeroDimensionalParametrization:
+    """The points of V with P != 0 where jac g has rank less than n - d."""
+    ring, rank = variety.ring, len(variety.ring.variables) - dimension
+    rows = jacobian(ring, variety.equations)
+    minors = [
+        determinant(ring, [[row[j] for j in columns] for row in chosen])
+        for chosen in combinations(rows, rank)
+        for columns in combinations(range(len(ring.variables)), rank)
+    ]
+    system = PolynomialSystem(ring, (*variety.equations, *minors))
     try:
-        for ctx.prec in (bits, *(more for more in PRECISIONS if more > bits)):
-            try:
-                found = acb_poly(polynomial.ball_polynomial).roots(
-                    arb(2) ** -(bits // 2)
-                )
-            except ValueError:
-                continue
-            balls = [root.real for root in found if root.imag.contains(0)]
-            return sorted(balls, key=lambda ball: ball.mid())
-    finally:
-        ctx.prec = saved
-    raise PrecisionError("roots of a fiber polynomial", PRECISIONS[-1])
+        return _solved(system, product, timeout, seed)
+    except NotZeroDimensionalError:
+        raise UnableError(_STEP, "V has infinitely many singular points") from None
+
+
+def _critical(
+    variety: PolynomialSystem,
+    dimension: int,
+    product: Polynomial,
+    timeout: float,
+    seed: int,
+) -> ZeroDimensionalParametrization:
+    """The critical points of a height that has finitely many."""
+    for height in heights(variety, [product], seed):
+        system = critical_system(variety, dimension, height)
+        with suppress(NotZeroDimensionalError):
+            return _solved(system, product, timeout, seed)
+    raise UnableError(_STEP, "every height has infinitely many critical points")
+
+
+def _solved(
+    system: PolynomialSystem, product: Polynomial, timeout: float, seed: int
+) -> ZeroDimensionalParametrization:
+    nonzero = None if product.is_constant() else product
+    return solve_zero_dimensional(system, nonzero=nonzero, timeout=timeout, seed=seed)

@@ -15,9 +15,9 @@ from cuspaudit.audit.joint_surface import JointSurface
 from cuspaudit.audit.library import open_robot
 from cuspaudit.audit.value_plane import count_postures
 from cuspaudit.errors import CrossCheckError, InvalidInputError, UnableError
-from cuspaudit.geometry.cusps import Count
 from cuspaudit.kinematics.exact_model import exact_model
 from cuspaudit.kinematics.snapping import snap
+from cuspaudit.surface.cusps import Count
 
 ISSAC = "chablat-2022-3r-mirror"
 ARMS = (

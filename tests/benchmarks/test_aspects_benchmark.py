@@ -14,8 +14,8 @@ import pytest
 from cuspaudit.audit.aspect_routing import route_aspects
 from cuspaudit.audit.aspects import count_aspects
 from cuspaudit.audit.library import open_robot
-from cuspaudit.geometry.cusps import Count
 from cuspaudit.kinematics.exact_model import exact_model
+from cuspaudit.surface.cusps import Count
 
 LIMITS = {"fanuc-crx-10ia-l": 20, "ur5": 30, "kinova-jaco-gen2": 20, "abb-gofa-5": 20}
 ASPECTS = {"ur5": 8}

@@ -21,13 +21,13 @@ from cuspaudit.audit.witness import find_witness
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.cuspidality.witness import posture_angles
 from cuspaudit.geometry.crit import crit
-from cuspaudit.geometry.graph_isotop import graph_isotop
-from cuspaudit.geometry.sample_points import sample_points
 from cuspaudit.kinematics.chain import Chain
 from cuspaudit.kinematics.exact_model import exact_model
 from cuspaudit.kinematics.frames import frames, jacobian
 from cuspaudit.kinematics.polynomial_map import reduced_map
 from cuspaudit.kinematics.snapping import snap
+from cuspaudit.surface.graph_isotop import graph_isotop
+from cuspaudit.surface.sample_points import sample_points
 
 Row = tuple[Number, ...]
 ISSAC = ((1, 2, "3/2"), (0, 1, 0), (-90, 90, 0))

@@ -10,8 +10,8 @@ from cuspaudit.cuspidality.decision import points_over
 from cuspaudit.errors import AssumptionError
 from cuspaudit.geometry.assumption_a import check_assumption_a
 from cuspaudit.geometry.crit import crit
+from cuspaudit.geometry.roadmap import roadmap
 from cuspaudit.geometry.routing import routing
-from cuspaudit.geometry.sheet_roadmap import sheet_roadmap
 
 _MOST = 14
 _TIMEOUT = 120.0
@@ -38,7 +38,7 @@ def compare(kind: str, seed: int) -> bool:
         return False
     if not minors:
         return False
-    sheets = sheet_roadmap(variety, mapping, timeout=_TIMEOUT)
+    sheets = roadmap(variety, mapping, timeout=_TIMEOUT)
     routed = routing(variety, mapping, minors, timeout=_TIMEOUT)
     assert sheets.number_of_components == routed.number_of_components
     points: list[RealPoint] = []

@@ -9,7 +9,7 @@ from cuspaudit.algebra.ring import Ring
 from cuspaudit.algebra.system import PolynomialMap, PolynomialSystem
 from cuspaudit.errors import NotSquareError
 from cuspaudit.geometry.crit import crit
-from cuspaudit.geometry.surface import Surface, product_factors
+from cuspaudit.surface.surface import Surface, product_factors
 
 
 def test_the_paper_s_determinant() -> None:

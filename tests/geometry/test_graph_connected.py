@@ -12,4 +12,4 @@ def test_connection_is_being_in_one_aspect() -> None:
     graph = decided(arm_map((1, 3, 4), (0, 3, 0), (-90, 90, 0))).graph
     for first, second in product(graph.graph, repeat=2):
         together = graph.aspects[first] == graph.aspects[second]
-        assert graph_connected(graph, first, second) == together
+        assert graph_connected(graph.graph, first, second) == together

@@ -15,9 +15,9 @@ from cuspaudit.algebra.zero_dimensional import solve_zero_dimensional
 from cuspaudit.cuspidality.surface_decision import decide_surface
 from cuspaudit.errors import NotOnVarietyError, UnableError
 from cuspaudit.geometry.crit import crit
-from cuspaudit.geometry.graph_isotop import graph_isotop
 from cuspaudit.geometry.routing import Routing, morse_graph, routing
-from cuspaudit.geometry.surface import Surface, product_factors
+from cuspaudit.surface.graph_isotop import graph_isotop
+from cuspaudit.surface.surface import Surface, product_factors
 
 Pair = tuple[PolynomialSystem, PolynomialMap]
 

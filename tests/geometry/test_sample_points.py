@@ -1,115 +1,127 @@
+"""Samples of {g = 0, h > 0}: every component known by hand or by topology is met."""
+
 from __future__ import annotations
 
-import sys
+import random
+from itertools import product
 
+import networkx as nx
 import pytest
-from flint import ctx, fmpq, fmpq_poly
-from surfaces import arm_map, decided, plane
+from flint import fmpq
 
-from cuspaudit.algebra.univariate import Univariate, real_roots
-from cuspaudit.errors import PrecisionError
-from cuspaudit.geometry.sample_points import isolated_real_roots, sample_points
+from cuspaudit.algebra.ring import Polynomial, Ring
+from cuspaudit.algebra.system import PolynomialSystem
+from cuspaudit.errors import NotEquidimensionalError, NotRadicalError, UnableError
+from cuspaudit.geometry.graph_isotop import graph_isotop
+from cuspaudit.geometry.sample_points import (
+    Sample,
+    sample_points,
+)
 
-#: the module; its name in the package is the function's
-MODULE = sys.modules[sample_points.__module__]
-ARMS = [
-    ((1, 2, "3/2"), (0, 1, 0), (-90, 90, 0)),
-    ((1, 2, 1), (0, 1, 0), (-30, 90, 0)),
-    ((1, "3/2", 1), (0, 1, "1/2"), (45, -45, 0)),
-]
+PLANE = Ring(["x", "y"])
+X, Y = PLANE.gens
+SPACE = Ring(["x", "y", "z"])
+A, B, C = SPACE.gens
+SPHERE = PolynomialSystem(SPACE, (A**2 + B**2 + C**2 - 1,))
+TORUS = PolynomialSystem(SPACE, ((A**2 + B**2 + C**2 + 3) ** 2 - 16 * (A**2 + B**2),))
 
-
-@pytest.mark.parametrize("table", ARMS)
-def test_postures_hold_the_value(table: tuple[tuple[int, ...], ...]) -> None:
-    """R of every posture is the value, to 100 digits."""
-    pair = arm_map(*table)
-    decision = decided(pair)
-    saved, ctx.prec = ctx.prec, 400
-    for fiber in decision.samples[:12]:
-        for posture in fiber.postures:
-            at = posture.coordinates(400)
-            for component, wanted in zip(pair[1].components, fiber.value, strict=True):
-                error = pair[0].ring.evaluate(component, at) - wanted
-                assert error.contains(0)
-                assert error.rad() < 1e-30
-    ctx.prec = saved
+SLOW = [1, 2, *range(4, 30)]
 
 
-@pytest.mark.parametrize("table", ARMS)
-def test_real_roots_are_counted_by_sign_changes(
-    table: tuple[tuple[int, ...], ...],
-) -> None:
-    """As many postures as exact isolation over the norm counts."""
-    for fiber in decided(arm_map(*table)).samples[:12]:
-        assert len(fiber.postures) == len(real_roots(fiber.polynomial))
+def signs(
+    sample: Sample, ring: Ring, functions: tuple[Polynomial, ...]
+) -> set[tuple[int, ...]]:
+    """The signs of some functions at the points of a sample."""
+    return {tuple(p.sign(f, ring) for f in functions) for p in sample.points}
 
 
-def test_parity() -> None:
-    """A compact torus: over each value as many postures of either sign."""
-    for table in ARMS:
-        decision = decided(arm_map(*table))
-        numerator, _ = decision.surface.chart(decision.delta)
-        for fiber in decision.samples:
-            assert sum(p.sign(numerator) for p in fiber.postures) == 0
+#: equations, conditions, functions whose signs number the components, those signs
+KNOWN = {
+    "plane": ((), (), (), {()}),
+    "two quadrants": ((), (X * Y,), (X,), {(1,), (-1,)}),
+    "inside a hyperbola": ((), (X * Y - 1,), (X,), {(1,), (-1,)}),
+    "quadrant": ((), (X, Y), (X, Y), {(1, 1)}),
+    "ring and disc": (
+        (),
+        ((X**2 + Y**2 - 1) * (X**2 + Y**2 - 4),),
+        (X**2 + Y**2 - 2,),
+        {(1,), (-1,)},
+    ),
+    "nothing": ((), (-1 - X**2,), (), set()),
+    "no real curve": ((X**2 + Y**2 + 1,), (), (), set()),
+    "hyperbola": ((X * Y - 1,), (), (X,), {(1,), (-1,)}),
+    "parabola": ((Y - X**2,), (X**2 - 1,), (X,), {(1,), (-1,)}),
+    "isolated point": ((Y**2 - X**2 * (X - 1),), (), (X,), {(0,), (1,)}),
+    "isolated point only": ((Y**2 - X**2 * (X - 1),), (1 - X,), (X,), {(0,)}),
+    "points": ((X**2 - 2, Y - X), (), (X,), {(1,), (-1,)}),
+    "a point of them": ((X**2 - 2, Y - X), (X,), (X,), {(1,)}),
+    "zero on a component": ((X * (Y - 1),), (X**2,), (X,), {(1,), (-1,)}),
+}
 
 
-def test_postures_narrow_with_the_bits() -> None:
-    """More bits, narrower balls, over Q and over Q(sqrt m)."""
-    for table in ARMS:
-        decision = decided(arm_map(*table))
-        posture = next(f for f in decision.samples if f.postures).postures[0]
-        wide, narrow = posture.chart(128), posture.chart(512)
-        assert all(b.rad() < 1e-60 for b in narrow)
-        assert all(a.overlaps(b) for a, b in zip(wide, narrow, strict=True))
-        assert posture.chart(128) is wide
+@pytest.mark.parametrize("name", KNOWN)
+@pytest.mark.parametrize("seed", [1, 7])
+def test_components_known_by_hand(name: str, seed: int) -> None:
+    """The components have different signs, and each sign occurs."""
+    equations, conditions, functions, expected = KNOWN[name]
+    variety = PolynomialSystem(PLANE, equations)
+    sample = sample_points(variety, conditions, seed=seed)
+    assert signs(sample, PLANE, functions) == expected
 
 
-def test_roots_over_a_quadratic_field() -> None:
-    """(t^2 - 2)(t - sqrt 3 + 2) has its three real roots, refined."""
-    # t^3 + (2 - sqrt 3) t^2 - 2 t - 2 (2 - sqrt 3)
-    polynomial = Univariate(fmpq_poly([-4, -2, 2, 1]), fmpq_poly([2, 0, -1]), 3)
-    before = ctx.prec
-    ctx.prec = 300
-    balls = isolated_real_roots(polynomial)
-    ctx.prec = before
-    wanted = [-(2**0.5), 3**0.5 - 2, 2**0.5]
-    assert [float(ball.mid()) for ball in balls] == pytest.approx(wanted)
-    assert all(ball.rad() < 1e-40 for ball in balls)
+def test_every_octant_of_the_sphere() -> None:
+    """{x y z != 0} cuts the sphere into eight; {x y z > 0} keeps four."""
+    both = [sample_points(SPHERE, [s * A * B * C]) for s in (1, -1)]
+    found = [signs(sample, SPACE, (A, B, C)) for sample in both]
+    assert found[0] | found[1] == set(product((1, -1), repeat=3))
+    assert not found[0] & found[1]
 
 
-def test_a_double_root_over_the_field_is_not_isolated(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    """A value that is not regular ends in a PrecisionError, not in a wrong count."""
-    monkeypatch.setattr(MODULE, "PRECISIONS", (64, 128))
-    double = Univariate(fmpq_poly([3, 0, 1]), fmpq_poly([0, -2]), 3)
-    with pytest.raises(PrecisionError, match="fiber polynomial"):
-        isolated_real_roots(double)
+def test_a_surface_without_conditions() -> None:
+    """The two sheets of a hyperboloid, and a torus."""
+    sheets = PolynomialSystem(SPACE, (C**2 - A**2 - B**2 - 1,))
+    assert signs(sample_points(sheets), SPACE, (C,)) == {(1,), (-1,)}
+    assert sample_points(sheets, [1 - C**2]).points == ()
+    assert sample_points(TORUS).points
 
 
-def test_a_sign_that_is_zero_is_not_told(monkeypatch: pytest.MonkeyPatch) -> None:
-    """The sign of a function that vanishes at a posture is a PrecisionError."""
-    monkeypatch.setattr(MODULE, "PRECISIONS", (64, 128))
-    decision = decided(plane(lambda x, y: (x**2, y)))
-    fiber = sample_points(decision.fibers, (fmpq(2), fmpq(1)))
-    ring = decision.fibers.ring
-    # chart coordinates y, x are x, y of the plane
-    zero = ring.gen("y") ** 2 - 2 * ring.gen("x")
-    with pytest.raises(PrecisionError, match="sign of Delta"):
-        fiber.postures[0].sign(zero)
-    assert [p.sign(ring.gen("y")) for p in fiber.postures] == [-1, 1]
+def test_points_are_on_the_variety_with_the_conditions() -> None:
+    """Each point of each sample satisfies all that was asked, exactly."""
+    condition = A * B - C + fmpq(1, 3)
+    sample = sample_points(SPHERE, [condition])
+    (g,) = SPHERE.equations
+    assert signs(sample, SPACE, (g, condition)) == {(0, 1)}
 
 
-def test_an_undetermined_second_coordinate_is_a_precision_error() -> None:
-    """Where the linear equation vanishes the chart cannot be enclosed."""
-    decision = decided(plane(lambda x, y: (x * (x * y - 1) + y, x * y)))
-    fiber = sample_points(decision.fibers, (fmpq(3), fmpq(0)))
-    failures = 0
-    for posture in fiber.postures:
-        try:
-            posture.chart(128)
-        except PrecisionError:
-            failures += 1
-    assert failures >= 1
-    values = [f.value for f in decision.samples]
-    assert all(v != 0 for _, v in values)
+@pytest.mark.parametrize(
+    "seed", [0, 3, *(pytest.param(s, marks=pytest.mark.slow) for s in SLOW)]
+)
+def test_random_curves_are_met_in_every_component(seed: int) -> None:
+    """The topology of {g = 0, h > 0} has a query point in every component."""
+    chance = random.Random(seed)
+    monomials = [X**i * Y**j for i in range(4) for j in range(4 - i)]
+    g, h = (
+        PLANE.total(chance.randint(-3, 3) * m for m in monomials[:: 1 + k])
+        for k in range(2)
+    )
+    curve = PolynomialSystem(PLANE, (g,))
+    sample = sample_points(curve, [h])
+    met = [
+        (graph, graph.vert(points))
+        for points in sample.parametrizations[1:]
+        for graph in [graph_isotop(curve, [h], points)]
+    ]
+    for graph, vertices in met:
+        for part in nx.connected_components(graph.graph):
+            assert part & set(vertices)
+    assert len(sample.points) >= met[0][0].number_of_components
+
+
+def test_what_is_not_covered_is_refused() -> None:
+    """Two planes meet in infinitely many singular points; a plane and a line mix."""
+    with pytest.raises(UnableError):
+        sample_points(PolynomialSystem(SPACE, (A * B,)))
+    with pytest.raises(NotEquidimensionalError):
+        sample_points(PolynomialSystem(SPACE, (A * B, A * C)))
+    with pytest.raises((NotRadicalError, UnableError)):
+        sample_points(PolynomialSystem(PLANE, (X**2,)))

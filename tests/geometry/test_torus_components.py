@@ -14,11 +14,11 @@ from cuspaudit.algebra.system import PolynomialSystem
 from cuspaudit.audit.answer import answer
 from cuspaudit.audit.library import open_robot
 from cuspaudit.errors import DegenerateMapError, UnableError
-from cuspaudit.geometry.graph_isotop import graph_isotop
 from cuspaudit.geometry.torus_components import TorusComponents, torus_components
 from cuspaudit.kinematics.chain import Chain
 from cuspaudit.kinematics.exact_model import exact_model
 from cuspaudit.kinematics.polynomial_map import jacobian_determinant
+from cuspaudit.surface.graph_isotop import graph_isotop
 
 TWO = Ring(["c1", "s1", "c2", "s2"])
 FOUR = Ring([x for i in range(1, 5) for x in (f"c{i}", f"s{i}")])

@@ -13,7 +13,6 @@ from cuspaudit.algebra.system import PolynomialSystem
 from cuspaudit.audit.library import open_robot
 from cuspaudit.errors import UnableError
 from cuspaudit.geometry.box_waves import BoxWaves
-from cuspaudit.geometry.graph_isotop import graph_isotop
 from cuspaudit.geometry.torus_arcs import Arcs, arcs
 from cuspaudit.geometry.torus_boxes import Boxes
 from cuspaudit.geometry.torus_components import torus_components
@@ -21,6 +20,7 @@ from cuspaudit.geometry.torus_cover import cover_count
 from cuspaudit.geometry.torus_function import TorusFunction
 from cuspaudit.kinematics.exact_model import exact_model
 from cuspaudit.kinematics.polynomial_map import jacobian_determinant
+from cuspaudit.surface.graph_isotop import graph_isotop
 
 RING = Ring([x for i in range(1, 4) for x in (f"c{i}", f"s{i}")])
 CIRCLES = [(f"c{i}", f"s{i}") for i in range(1, 4)]

@@ -11,7 +11,6 @@ from short_tables import Number, arm, with_wrist
 from cuspaudit.algebra.ring import Polynomial
 from cuspaudit.errors import UnableError
 from cuspaudit.geometry.crit import crit
-from cuspaudit.geometry.surface import Surface, product_factors
 from cuspaudit.kinematics.exact_model import ExactModel, exact_model
 from cuspaudit.kinematics.frames import angle_value, frames, jacobian
 from cuspaudit.kinematics.polynomial_map import (
@@ -20,6 +19,7 @@ from cuspaudit.kinematics.polynomial_map import (
     reduce_circles,
     reduced_map,
 )
+from cuspaudit.surface.surface import Surface, product_factors
 
 Row = tuple[Number, ...]
 ARMS: dict[str, tuple[Row, Row, Row, str, Row]] = {

@@ -6,8 +6,8 @@ from surfaces import Array, arm_map, cylinder, decided, delta_of, plane
 
 from cuspaudit.algebra.numeric import numeric_values
 from cuspaudit.algebra.system import PolynomialMap, PolynomialSystem
-from cuspaudit.geometry.cusps import Count
-from cuspaudit.geometry.nodes import nodes
+from cuspaudit.surface.cusps import Count
+from cuspaudit.surface.nodes import nodes
 
 Pair = tuple[PolynomialSystem, PolynomialMap]
 

@@ -22,7 +22,7 @@ from cuspaudit.algebra.ring import Polynomial, Ring
 from cuspaudit.algebra.system import PolynomialMap
 from cuspaudit.algebra.univariate import Univariate, real_roots
 from cuspaudit.errors import DegenerateMapError, UnableError
-from cuspaudit.geometry.surface import Surface
+from cuspaudit.surface.surface import Surface
 
 __all__ = ["FiberPolynomials", "fiber_polynomials"]
 

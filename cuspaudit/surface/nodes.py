@@ -21,9 +21,9 @@ from flint import arb, ctx, fmpq
 from cuspaudit.algebra.ring import Polynomial, Ring
 from cuspaudit.algebra.system import PolynomialMap
 from cuspaudit.algebra.univariate import PRECISIONS, RealRoot, Univariate
-from cuspaudit.geometry.cusps import Count
-from cuspaudit.geometry.fibers import FiberPolynomials
-from cuspaudit.geometry.roadmap import Roadmap
+from cuspaudit.surface.cusps import Count
+from cuspaudit.surface.fibers import FiberPolynomials
+from cuspaudit.surface.roadmap import Roadmap
 
 __all__ = ["nodes"]
 

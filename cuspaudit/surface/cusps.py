@@ -21,8 +21,8 @@ from dataclasses import dataclass, replace
 from cuspaudit.algebra.ring import Polynomial, Ring
 from cuspaudit.algebra.system import PolynomialMap
 from cuspaudit.algebra.univariate import RealRoot, Univariate, real_roots
-from cuspaudit.geometry.roadmap import Roadmap
-from cuspaudit.geometry.surface import ROTATIONS, Factor, Surface
+from cuspaudit.surface.roadmap import Roadmap
+from cuspaudit.surface.surface import ROTATIONS, Factor, Surface
 
 __all__ = ["Count", "cusps"]
 

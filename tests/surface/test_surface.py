@@ -9,7 +9,7 @@ from surfaces import cylinder, plane, torus
 from cuspaudit.algebra.ring import Polynomial, Ring
 from cuspaudit.algebra.system import PolynomialSystem
 from cuspaudit.errors import UnableError
-from cuspaudit.geometry.surface import ROTATIONS, Factor, Surface, product_factors
+from cuspaudit.surface.surface import ROTATIONS, Factor, Surface, product_factors
 
 charts = st.fractions(-4, 4, max_denominator=9).map(
     lambda t: fmpq(t.numerator, t.denominator)

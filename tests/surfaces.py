@@ -13,10 +13,10 @@ from cuspaudit.algebra.ring import Polynomial, Ring
 from cuspaudit.algebra.system import PolynomialMap, PolynomialSystem
 from cuspaudit.cuspidality.surface_decision import SurfaceDecision, decide_surface
 from cuspaudit.geometry.crit import crit
-from cuspaudit.geometry.roadmap import Roadmap, orient, roadmap
-from cuspaudit.geometry.surface import Surface, product_factors
 from cuspaudit.kinematics.exact_model import exact_model
 from cuspaudit.kinematics.polynomial_map import reduced_map
+from cuspaudit.surface.roadmap import Roadmap, orient, roadmap
+from cuspaudit.surface.surface import Surface, product_factors
 
 Array = NDArray[np.float64]
 Build = Callable[..., tuple[Polynomial, ...]]

@@ -12,10 +12,10 @@ from cuspaudit.algebra.numeric import numeric_values
 from cuspaudit.algebra.system import PolynomialMap, PolynomialSystem
 from cuspaudit.errors import DegenerateMapError, UnableError
 from cuspaudit.geometry.crit import crit
-from cuspaudit.geometry.fibers import FiberPolynomials, fiber_polynomials
-from cuspaudit.geometry.roadmap import orient
-from cuspaudit.geometry.sample_points import sample_points
-from cuspaudit.geometry.surface import Surface, product_factors
+from cuspaudit.surface.fibers import FiberPolynomials, fiber_polynomials
+from cuspaudit.surface.roadmap import orient
+from cuspaudit.surface.sample_points import sample_points
+from cuspaudit.surface.surface import Surface, product_factors
 
 Pair = tuple[PolynomialSystem, PolynomialMap]
 ARMS = {

@@ -6,8 +6,8 @@ from short_tables import Number
 from surfaces import Build, arm_map, cylinder, decided, plane, torus
 
 from cuspaudit.algebra.system import PolynomialMap, PolynomialSystem
-from cuspaudit.geometry.cusps import Count, cusps
-from cuspaudit.geometry.surface import ROTATIONS
+from cuspaudit.surface.cusps import Count, cusps
+from cuspaudit.surface.surface import ROTATIONS
 
 Pair = tuple[PolynomialSystem, PolynomialMap]
 
