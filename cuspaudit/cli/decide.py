@@ -13,11 +13,17 @@ from rich.text import Text
 
 from cuspaudit.cli.audit import EXIT
 from cuspaudit.cli.options import Engine, EngineName, Seed
-from cuspaudit.cli.running import progress_line
+from cuspaudit.cli.running import progress_bar
 from cuspaudit.cli.summary import COLOUR
 from cuspaudit.errors import AssumptionError
 
-__all__ = ["decide"]
+__all__ = ["STEPS", "decide"]
+
+#: of Algorithm 1, in the order of the paper
+STEPS = (
+    *("crit", "check_assumption_a", "atypical_values", "sample_points_rational"),
+    *("sample_points", "roadmap", "routing", "graph_connected"),
+)
 
 
 def decide(
@@ -58,7 +64,7 @@ def decide(
         check_writable(Path(json_file or ""))
     read = read_system(system)
     try:
-        with progress_line("crit") as step:
+        with progress_bar(STEPS) as step:
             record = decide_system(
                 read,
                 engine.value,

@@ -20,7 +20,7 @@ from cuspaudit.cli.options import (
     TaskName,
     Tip,
 )
-from cuspaudit.cli.running import progress_line
+from cuspaudit.cli.running import STEPS, progress_bar
 from cuspaudit.errors import InvalidInputError
 
 if TYPE_CHECKING:
@@ -85,7 +85,7 @@ def _plot_robot(robot: Robot, output: Path, snap: str, at: str | None) -> None:
     from cuspaudit.viz.plot_files import save_plot
 
     check_writable(output)
-    with progress_line("import") as step:
+    with progress_bar(STEPS) as step:
         options = Options(progress=step, snap=policy_from_name(snap))
         found = picture_of(robot, _value(at), options)
     save_plot(landscape_sheet(found) if isinstance(found, Landscape) else found, output)

@@ -2,18 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
 from rich.console import Console
+from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 
 if TYPE_CHECKING:
     from cuspaudit.audit.report import Audit
     from cuspaudit.kinematics.chain import Chain
     from cuspaudit.kinematics.robot import Robot
 
-__all__ = ["certificate_text", "page_text", "progress_line", "run_audit"]
+__all__ = ["STEPS", "certificate_text", "page_text", "progress_bar", "run_audit"]
+
+#: of an audit, in their order; an arm has some of them
+STEPS = (
+    *("import", "reductions", "crit", "atypical_values", "roadmap"),
+    *("sample_points_rational", "sample_points", "graph_isotop", "cusps and nodes"),
+    *("certificate", "search", "pairs", "aspects", "literal", "crosscheck"),
+)
 
 
 def run_audit(
@@ -33,7 +41,7 @@ def run_audit(
     from cuspaudit.kinematics.snap_policy import policy_from_name
 
     policy = policy_from_name(snap)
-    with progress_line("import") as step:
+    with progress_bar(STEPS) as step:
         return audit(robot, Options(seed, timeout, locked, step, policy, engine))
 
 
@@ -69,11 +77,24 @@ def page_text(record: Mapping[str, Any], result: Audit, proof: str | None) -> st
 
 
 @contextmanager
-def progress_line(first: str) -> Iterator[Callable[[str], None]]:
-    """A line with the name of the running step, on a terminal only."""
+def progress_bar(steps: Sequence[str]) -> Iterator[Callable[[str], None]]:
+    """A bar over ``steps`` with the name and time of the one under way.
+
+    On a terminal only. A step that is left out is passed over; one that comes again, or
+    is not among ``steps``, moves nothing. What follows a colon is detail.
+    """
     console = Console(stderr=True)
     if not console.is_terminal:
         yield lambda step: None
         return
-    with console.status(first) as status:
-        yield lambda step: status.update(step)
+    columns = (BarColumn(20), TimeElapsedColumn(), TextColumn("{task.description}"))
+    with Progress(*columns, console=console, transient=True) as bar:
+        task, done = bar.add_task(steps[0], total=len(steps)), 0
+
+        def show(step: str) -> None:
+            nonlocal done
+            name = step.partition(":")[0]
+            done = max(done, steps.index(name)) if name in steps else done
+            bar.update(task, description=step, completed=done)
+
+        yield show

@@ -245,11 +245,11 @@ def roadmap(
     """
     clock = _Clock("roadmap", monotonic() + timeout)
     if fiber is None:
-        progress("generic_fiber")
+        progress("atypical_values")
         fiber = generic_fiber(variety, mapping, timeout, seed)
     clock.check()
     if cells is None:
-        progress("open_cells")
+        progress("sample_points_rational")
         boundary = [fiber.leading, fiber.discriminant]
         cells = open_cells(fiber.ring, boundary, fiber.values)
     progress("sample_points")
