@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
-from itertools import pairwise
+from itertools import chain, pairwise
 from typing import Any
 
 from flint import arb, arb_poly, ctx, fmpq, fmpq_poly, fmpz, fmpz_poly
@@ -158,21 +158,22 @@ class RealRoot:
         return float(self.enclosure(64).mid())
 
 
-def real_roots(polynomial: Univariate) -> list[RealRoot]:
-    """The distinct real roots of a nonzero polynomial, in increasing order.
+def real_roots(*polynomials: Univariate) -> list[RealRoot]:
+    """The distinct real roots of nonzero polynomials together, in increasing order.
 
     Guarantee: complete, by FLINT's certified isolation of the complex roots of the
-    norm (a real root is returned with imaginary part exactly 0).
+    norms (a real root is returned with imaginary part exactly 0).
     """
-    roots = [
-        RealRoot(factor, index)
-        for factor, _ in polynomial.norm.numer().factor()[1]
-        if factor.degree() > 0
-        for index in range(len(real_balls(factor)))
-    ]
-    if polynomial.radicand is not None:
-        roots = [root for root in roots if polynomial.sign_at(root) == 0]
-    return _sorted(roots)
+    return _sorted(list(dict.fromkeys(chain(*map(_roots, polynomials)))))
+
+
+def _roots(polynomial: Univariate) -> Iterator[RealRoot]:
+    for factor, _ in polynomial.norm.numer().factor()[1]:
+        if factor.degree() > 0:
+            for index in range(len(real_balls(factor))):
+                root = RealRoot(factor, index)
+                if polynomial.radicand is None or polynomial.sign_at(root) == 0:
+                    yield root
 
 
 def real_root_balls(polynomials: Sequence[Univariate]) -> list[arb]:

@@ -164,7 +164,7 @@ class FiberProposer:
         ]
         left = self.end - monotonic()
         if left <= 0:
-            raise UnableError("generic_fiber", "no answer within the time limit")
+            raise UnableError("atypical_values", "no answer within the time limit")
         basis = propose_elimination(big, system, len(x), left, self.seed)
         found = []
         for p in basis:
@@ -173,7 +173,7 @@ class FiberProposer:
             found.append((self.ring.from_other(a, big), self.ring.from_other(b, big)))
         found = [(a, b) for a, b in found if a != 0]
         if not value and any(self._degree(a) == 0 for a, _ in found):
-            raise UnableError("generic_fiber", "the values seem to fill no open set")
+            raise UnableError("atypical_values", "the values seem to fill no open set")
         return found
 
 

@@ -98,7 +98,7 @@ class GenericFiber:
         def renamed(p: Polynomial) -> Polynomial:
             return p.compose(t, *moved, ctx=self.ring.context)
 
-        return GenericFiber(
+        result = GenericFiber(
             self.variety,
             PolynomialMap(self.mapping.ring, components),
             self.ring,
@@ -106,6 +106,8 @@ class GenericFiber:
             renamed(self.omega),
             tuple(map(renamed, self.rho)),
         )
+        vars(result)["discriminant"] = renamed(self.discriminant)  # dear to compute
+        return result
 
     def is_regular(self, value: Sequence[fmpq]) -> bool:
         """Whether lc disc is not 0 at the value."""
@@ -162,7 +164,7 @@ def function_equation(
     mu = FiberProposer(variety, mapping, fiber.ring, end, seed).equation(function)
     pulled = pull_back(variety, fiber.ring, mu, (function, *mapping.components))
     if not vanishes_on(variety, pulled):
-        raise UnableError("generic_fiber", "an equation of a function is not proved")
+        raise UnableError("atypical_values", "an equation of a function is not proved")
     return mu
 
 
@@ -190,7 +192,7 @@ def generic_fiber(
         UnableError: no linear form among those tried could be proved to do.
     """
     if variety.ring.radicand is not None:
-        raise UnableError("generic_fiber", "coefficients outside Q")
+        raise UnableError("atypical_values", "coefficients outside Q")
     if all(vanishes_on(variety, minor) for minor in crit(variety, mapping)):
         raise DegenerateMapError("the map has full rank nowhere on V")
     ring = Ring(_fresh(variety.ring, len(mapping.components)))
@@ -208,7 +210,7 @@ def generic_fiber(
             reason = "the proposed fiber has points outside V"
             continue
         return fiber
-    raise UnableError("generic_fiber", reason)
+    raise UnableError("atypical_values", reason)
 
 
 def _fresh(ring: Ring, dimension: int) -> list[str]:

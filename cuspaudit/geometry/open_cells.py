@@ -233,7 +233,9 @@ def _chosen(balls: Sequence[arb], accept: Callable[[fmpq], bool]) -> list[fmpq]:
     for low, high in pairwise([None, *balls, None]):
         y = next(filter(accept, rationals_between(low, high)), None)
         if y is None:
-            raise UnableError("open_cells", "a polynomial vanishes on too many lines")
+            raise UnableError(
+                "sample_points_rational", "a polynomial vanishes on too many lines"
+            )
         found.append(y)
     return found
 
@@ -334,8 +336,4 @@ def _is_below(root: RealRoot, value: fmpq) -> bool:
 
 def _zeros(ring: Ring, polynomials: Sequence[Polynomial], name: str) -> list[RealRoot]:
     """The distinct real zeros, in ``name``, of nonzero polynomials; increasing."""
-    product = Univariate(fmpq_poly([1]), fmpq_poly([0]))
-    for p in polynomials:
-        factor = Univariate.from_polynomial(ring, p, name).rational
-        product = Univariate(product.rational * factor, product.surd)
-    return real_roots(product)
+    return real_roots(*(Univariate.from_polynomial(ring, p, name) for p in polynomials))

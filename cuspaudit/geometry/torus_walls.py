@@ -34,11 +34,11 @@ class Walls:
     @cached_property
     def roots(self) -> tuple[RealRoot, ...]:
         """The finite tangents of the zeros, increasing."""
-        product = self.ring.constant(1)
-        for form in self.forms:
-            product *= form.polynomial
-        name = self.circle[1]
-        return tuple(real_roots(Univariate.from_polynomial(self.ring, product, name)))
+        ring, name = self.ring, self.circle[1]
+        forms = (form.polynomial for form in self.forms)
+        return tuple(
+            real_roots(*(Univariate.from_polynomial(ring, p, name) for p in forms))
+        )
 
     @property
     def has_infinite(self) -> bool:

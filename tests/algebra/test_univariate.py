@@ -1,5 +1,6 @@
 from __future__ import annotations
 
+from math import prod
 from typing import Any
 
 import pytest
@@ -58,6 +59,17 @@ def test_real_roots_are_as_many_as_sturm_counts(coefficients: list[int]) -> None
     values = [float(root) for root in found]
     assert values == sorted(values)
     assert all(polynomial.sign_at(root) == 0 for root in found)
+
+
+@given(st.lists(small, min_size=1, max_size=3))
+def test_real_roots_of_several_are_those_of_their_product(
+    lists: list[list[int]],
+) -> None:
+    """Common roots come once, and the order is that of the line."""
+    polynomials = [over_q(*coefficients) for coefficients in lists]
+    assume(all(not p.is_zero for p in polynomials))
+    product = prod((p.rational for p in polynomials), start=fmpq_poly([1]))
+    assert real_roots(*polynomials) == real_roots(over_q(*product.coeffs()))
 
 
 @given(small, small, st.sampled_from((2, 3)))

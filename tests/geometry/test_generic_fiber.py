@@ -107,5 +107,14 @@ def test_a_wrong_elimination_is_an_error(
 
 def test_the_time_limit_ends_the_eliminations() -> None:
     """No time at all is an error that names the step."""
-    with pytest.raises(UnableError, match="generic_fiber"):
+    with pytest.raises(UnableError, match="atypical_values"):
         generic_fiber(R2, CUSP, timeout=0)
+
+
+def test_a_reordered_fiber_is_that_of_the_reordered_map() -> None:
+    """omega, rho and the discriminant agree with those computed for (r_2, r_1)."""
+    moved = generic_fiber(R2, CUSP).reordered((1, 0))
+    own = generic_fiber(R2, PolynomialMap(PLANE, CUSP.components[::-1]))
+    assert moved.mapping.components == own.mapping.components
+    assert (moved.omega, moved.rho) == (own.omega, own.rho)
+    assert moved.discriminant == own.discriminant
