@@ -27,6 +27,9 @@ from cuspaudit.errors import InvalidSystemError, UnableError
 
 __all__ = ["msolve_points", "parse_parametrization"]
 
+#: msolve takes another parameter when the form given to it does not separate
+_FORMS = 3
+
 _TOKEN = re.compile(r"'(\w+)'|(-?\d+)")
 
 
@@ -52,23 +55,34 @@ def msolve_points(
     Raises:
         UnableError: msolve failed, or what it found does not solve the system.
     """
-    names = [f"x{i}" for i, _ in enumerate(ring.variables)]
+    names = tuple(f"x{i}" for i, _ in enumerate(ring.variables))
     own = dict(zip(ring.variables, names, strict=True))
-    form = next(linear_forms(len(variables), seed))
+    kept = tuple(own[x] for x in variables)
     larger = Ring([*names, "t"])
-    terms = (w * larger.gen(own[x]) for x, w in zip(variables, form, strict=True))
     system = [larger.context.from_dict(_with_zero(p)) for p in polynomials]
-    text = msolve_text(larger, [*system, larger.gen("t") - larger.total(terms)])
-    found = parse_parametrization(run_msolve(text, ("-P", "2"), timeout, seed))
-    if found is None:
-        return empty_set(variables)
-    check_solves(found, larger, system)
-    weights = dict(zip(found.variables, found.form, strict=True))
-    read = tuple(
-        weights[own[x]] + weights["t"] * w for x, w in zip(variables, form, strict=True)
-    )
-    kept = restricted(found, tuple(own[x] for x in variables), read, seed)
-    return replace(kept, variables=tuple(variables))
+    for tried, form in enumerate(linear_forms(len(variables), seed), 1):
+        terms = (w * larger.gen(x) for x, w in zip(kept, form, strict=True))
+        parameter = larger.gen("t") - larger.total(terms)
+        text = msolve_text(larger, [*system, parameter])
+        found = parse_parametrization(run_msolve(text, ("-P", "2"), timeout, seed))
+        if found is None:
+            break
+        weights = _weights(found, larger)
+        if tried < _FORMS and any(weights[x] for x in kept):
+            continue
+        check_solves(found, larger, system)
+        own_weights = zip(kept, form, strict=True)
+        read = tuple(weights[x] + weights["t"] * w for x, w in own_weights)
+        points = restricted(found, kept, read, seed)
+        return replace(points, variables=tuple(variables))
+    return empty_set(variables)
+
+
+def _weights(found: ZeroDimensionalParametrization, ring: Ring) -> dict[str, fmpq]:
+    """The coefficients of the parameter, one for every variable."""
+    if not set(ring.variables) <= set(found.variables):
+        raise UnableError("msolve", "its parametrization lacks a variable")
+    return dict(zip(found.variables, found.form, strict=True))
 
 
 def _with_zero(polynomial: Polynomial) -> dict[tuple[int, ...], fmpq]:
@@ -85,8 +99,6 @@ def check_solves(
     Raises:
         UnableError: one does not: msolve's answer is wrong.
     """
-    if not set(ring.variables) <= set(found.variables):
-        raise UnableError("msolve", "its parametrization lacks a variable")
     for numerator, _ in found.numerators(ring, polynomials):
         if numerator != 0:
             raise UnableError("msolve", "its parametrization does not solve the system")

@@ -143,36 +143,47 @@ def critical_system(
 def is_visibly_bounded(variety: PolynomialSystem) -> bool:
     """Whether the leading forms of the equations show that V is bounded.
 
-    Sufficient, not necessary: every variable occurs in an equation whose part of
-    highest degree is a sum of even monomials with positive coefficients, a pure power
-    of each variable of the equation among them. Such a form is positive definite.
+    Sufficient, not necessary. Where some variables are bounded already, an equation
+    bounds its others if its part of highest degree in them has constant coefficients
+    and is zero only at 0: a power of one variable, or a sum of even monomials with
+    positive coefficients, a pure power of each among them.
 
     >>> ring = Ring(["c", "s", "x"])
     >>> c, s, x = ring.gens
     >>> is_visibly_bounded(PolynomialSystem(ring, (c**2 + s**2 - 1,)))
     False
-    >>> is_visibly_bounded(PolynomialSystem(ring, (c**2 + s**2 - 1, x**2 - c)))
+    >>> is_visibly_bounded(PolynomialSystem(ring, (c**2 + s**2 - 1, c * x - s)))
     False
-    >>> is_visibly_bounded(PolynomialSystem(ring, (c**2 + s**2 - 1, c - x**2 - c**2)))
+    >>> is_visibly_bounded(PolynomialSystem(ring, (c**2 + s**2 - 1, x - c * s)))
     True
     """
-    ring, shown = variety.ring, set[str]()
-    for equation in variety.equations:
-        if _is_definite(ring, equation) or _is_definite(ring, -equation):
-            shown |= _names(ring, equation)
-    return shown == set(ring.variables)
+    ring, bounded = variety.ring, set[str]()
+    while True:
+        shown = {
+            name
+            for equation in variety.equations
+            for name in _newly_bounded(ring, equation, bounded)
+        }
+        if not shown:
+            return bounded == set(ring.variables)
+        bounded |= shown
 
 
-def _is_definite(ring: Ring, equation: Polynomial) -> bool:
-    terms = {tuple(map(int, e)): c for e, c in equation.to_dict().items()}
-    if not terms or (ring.radicand and any(e[-1] for e in terms)):
-        return False
-    degree = max(map(sum, terms))
-    leading = {e: c for e, c in terms.items() if sum(e) == degree}
-    used = {i for e in terms for i, exponent in enumerate(e) if exponent}
-    pure = {e.index(degree) for e in leading if degree in e}
-    even = all(exponent % 2 == 0 for e in leading for exponent in e)
-    return degree > 0 and even and min(leading.values()) > 0 and used == pure
+def _newly_bounded(ring: Ring, equation: Polynomial, bounded: set[str]) -> list[str]:
+    """The variables that ``equation`` bounds when those of ``bounded`` are."""
+    names = [x for x in _names(ring, equation) if x not in bounded]
+    if not names or (ring.radicand and equation.degrees()[-1] > 0):
+        return []
+    places = [ring.variables.index(x) for x in names]
+    terms = [(tuple(map(int, e)), c) for e, c in equation.to_dict().items()]
+    degree = max(sum(e[i] for i in places) for e, _ in terms)
+    top = {e: c for e, c in terms if sum(e[i] for i in places) == degree}
+    if any(sum(e) > degree for e in top):
+        return []
+    pure = {e.index(degree) for e in top if degree in e} == set(places)
+    even = all(exponent % 2 == 0 for e in top for exponent in e)
+    definite = even and len({c > 0 for c in top.values()}) == 1
+    return names if pure and (definite or len(names) == 1) else []
 
 
 def _weight(ring: Ring, seed: int) -> Polynomial:

@@ -222,7 +222,7 @@ def morse_graph(
         progress("routing: critical points")
         try:
             critical, grounds = critical_points(landscape, _left(end), seed)
-        except NotZeroDimensionalError as error:
+        except (NotZeroDimensionalError, UnableError) as error:
             why = str(error)
             continue
         if critical is not None:
