@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import dataclass, replace
 
 from cuspaudit.audit.aspects import count_aspects
 from cuspaudit.audit.pairs import PairRecord
 from cuspaudit.audit.six_joint_search import SearchRecord
 from cuspaudit.cuspidality.decision import Decision, decide
+from cuspaudit.cuspidality.pair_decision import PairDecision, decide_pairs
 from cuspaudit.cuspidality.surface_decision import SurfaceDecision, decide_surface
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import (
@@ -28,6 +30,7 @@ __all__ = ["Answer", "Progress", "Undecided", "answer"]
 Progress = Callable[[str], None]
 
 _EXACT = ("FLINT resultants", "FLINT root isolation", "exact signs")
+_BY_PAIRS = ("FLINT resultants", "FLINT root isolation", "ball arithmetic")
 
 
 @dataclass(frozen=True)
@@ -62,6 +65,7 @@ class Answer:
         rests_on: what the verdict rests on.
         reduction: the theorem that was applied, if any.
         decision: the run of Algorithm 1, if there was one.
+        by_pairs: the decision by pairs of postures, if that was made instead.
         aspects: of the arm; None when not computed.
         postures: the largest number of postures of a regular pose; None likewise.
         cusps: of the curve of critical values, of a three-joint arm.
@@ -78,6 +82,7 @@ class Answer:
     rests_on: tuple[str, ...] = ()
     reduction: Reduction | None = None
     decision: SurfaceDecision | None = None
+    by_pairs: PairDecision | None = None
     aspects: Count | None = None
     postures: Count | None = None
     cusps: Count | None = None
@@ -93,23 +98,26 @@ def answer(
 ) -> Answer:
     """Decide a chain whose task has as many dimensions as it has joints.
 
-    A three-joint position task runs Algorithm 1 on the reduced map [DESIGN 5]; a
-    six-joint pose task is reduced to one, or settled by a theorem, when it can be
-    [DESIGN 6.1]. What is out of reach is UNDECIDED.
+    A three-joint position task runs Algorithm 1 on the reduced map [DESIGN 5], or is
+    decided by its pairs of postures where that is unable; a six-joint pose task is
+    reduced to one, or settled by a theorem, when it can be [DESIGN 6.1]. What is out of
+    reach is UNDECIDED.
 
     Args:
         model: of a chain of three or six joints.
         progress: called with the name of each step before it runs.
         engine: "routing" has the verdict of Algorithm 1 found again by the second
-            route to connectivity; without its agreement there is none.
+            route to connectivity; without its agreement there is none. "pairs"
+            decides three joints by pairs of postures alone [DESIGN 6.4].
 
     Raises:
         AssumptionError: a hypothesis fails for this arm (det J vanishes identically).
         CrossCheckError: the two routes disagree.
     """
+    three = _by_pairs if engine == "pairs" else _three_joints
     try:
         found = (
-            _three_joints(model, progress)
+            three(model, progress)
             if model.chain.task == "position"
             else _six_joints(model, progress)
         )
@@ -125,7 +133,12 @@ def answer(
 
 def _three_joints(model: ExactModel, progress: Progress) -> Answer:
     variety, mapping = reduced_map(model)
-    decision = decide_surface(variety, mapping, progress)
+    try:
+        decision = decide_surface(variety, mapping, progress)
+    except UnableError:
+        with suppress(UnableError):
+            return _by_pairs(model, progress)
+        raise
     progress("cusps and nodes")
     return Answer(
         model,
@@ -137,6 +150,26 @@ def _three_joints(model: ExactModel, progress: Progress) -> Answer:
         postures=Count(decision.max_postures, True),
         cusps=cusps(decision.roadmap, mapping, decision.delta),
         nodes=nodes(decision.fibers, decision.roadmap, mapping),
+    )
+
+
+def _by_pairs(model: ExactModel, progress: Progress) -> Answer:
+    decision = decide_pairs(*reduced_map(model), progress)
+    count, together = len(decision.pairs), len(decision.couples)
+    among = f"{count} pairs of postures of one pose, one in every component of pairs"
+    if decision.sheets is None:
+        why = "one coordinate of the pose depends on one joint alone"
+    elif decision.verdict is Verdict.CUSPIDAL:
+        why = f"{together} of {among}, have both ends in one aspect"
+    else:
+        why = f"of {among} that could have both ends in one aspect, none has"
+    return Answer(
+        model,
+        decision.verdict,
+        why,
+        _BY_PAIRS,
+        by_pairs=decision,
+        aspects=Count(decision.aspects, True),
     )
 
 
@@ -196,8 +229,7 @@ def _six_joints(model: ExactModel, progress: Progress) -> Answer:
             else count_aspects(model),
         )
     regional = _three_joints(reduction.regional, progress)
-    assert regional.decision is not None
-    aspects = Count(2 * regional.decision.aspects, True)
+    aspects, postures = _twice(regional.aspects), _twice(regional.postures)
     if regional.verdict is Verdict.CUSPIDAL and not reduction.is_equivalent:
         why = f"{reduction.why}, and they are: the theorem says no more"
         settle = "a witness path"
@@ -206,14 +238,20 @@ def _six_joints(model: ExactModel, progress: Progress) -> Answer:
         model,
         regional.verdict,
         f"{reduction.why}; {regional.why}",
-        ("exact tests of the hypotheses", *_EXACT),
+        ("exact tests of the hypotheses", *regional.rests_on),
         reduction,
         regional.decision,
+        regional.by_pairs,
         aspects,
-        Count(2 * regional.decision.max_postures, True) if reduction.is_full else None,
+        postures if reduction.is_full else None,
         regional.cusps,
         regional.nodes,
     )
+
+
+def _twice(regional: Count | None) -> Count | None:
+    """The number for the six-joint arm: its wrist has two sides."""
+    return replace(regional, count=2 * regional.count) if regional else None
 
 
 def _undecided(

@@ -221,7 +221,7 @@ def audit(robot: Robot, options: Options | None = None) -> Audit:
 
 def _decide(robot: Robot, model: ExactModel, clock: Clock) -> Answer:
     try:
-        if clock.engine == "pairs":
+        if clock.engine == "pairs" and model.chain.task == "pose":
             return not_asked(model)
         return answer(model, clock.step, clock.engine)
     except DegenerateMapError as error:
@@ -271,7 +271,7 @@ def _certify(
             return found, find_witness(found, chain)
         except UnableError as limit:
             failure = limit
-    why = f"Algorithm 1 finds a cuspidal couple, but its path resists proof: {failure}"
+    why = f"there is a cuspidal couple, but its path resists proof: {failure}"
     reason = Undecided("certificate", why, (), "a path farther from singular postures")
     undecided = replace(
         found, verdict=Verdict.UNDECIDED, why=why, rests_on=(), undecided=reason
@@ -349,7 +349,7 @@ def _shown(witness: Witness, model: str, certificate: str | None) -> dict[str, A
 def _engine(found: Answer) -> str | None:
     if found.decision is not None:
         return "routing" if found.confirmed else "roadmap"
-    if found.pairs is not None:
+    if found.pairs is not None or found.by_pairs is not None:
         return "pairs"
     return "search" if found.search is not None else None
 

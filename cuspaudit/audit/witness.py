@@ -65,7 +65,7 @@ def find_witness(answer: Answer, chain: Chain) -> Witness:
     """A certified witness for the numbers of ``chain``.
 
     Args:
-        answer: a CUSPIDAL answer with the run of Algorithm 1 that found couples.
+        answer: a CUSPIDAL answer with the decision that found couples.
         chain: the literal chain, or the chain of the answer's model.
 
     Raises:
@@ -133,11 +133,12 @@ def _moves(motions: tuple[Motion, ...]) -> tuple[Translate | Rotate, ...]:
 
 def _lifted(answer: Answer) -> Iterator[tuple[SurfacePath, Array]]:
     """Proposed paths of all joints, in chain order."""
-    assert answer.decision is not None, "a cuspidal answer has a run of Algorithm 1"
+    decision = answer.decision or answer.by_pairs
+    assert decision is not None, "a cuspidal answer has a decision"
     reduction = answer.reduction
     model = answer.model if reduction is None else reduction.regional
     assert model is not None
-    for surface_path in propose_paths(answer.decision):
+    for surface_path in propose_paths(decision):
         path = lift_position(model, surface_path)
         if reduction is None:
             yield surface_path, path

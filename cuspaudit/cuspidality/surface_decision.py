@@ -23,7 +23,7 @@ from cuspaudit.surface.roadmap import Roadmap, orient, roadmap
 from cuspaudit.surface.sample_points import Fiber, Posture, sample_points
 from cuspaudit.surface.surface import Surface, product_factors
 
-__all__ = ["SurfaceCouple", "SurfaceDecision", "decide_surface"]
+__all__ = ["SurfaceCouple", "SurfaceDecision", "decide_surface", "oriented"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -101,17 +101,8 @@ def decide_surface(
         DegenerateMapError: Delta vanishes identically on V.
         UnableError: V, R or Delta is outside what this engine handles.
     """
-    if len(mapping.components) != 2:
-        raise UnableError("decide_surface", "this engine decides maps to the plane")
     progress("crit")
-    surface = Surface(variety.ring, *product_factors(variety))
-    minors = [surface.reduce(minor) for minor in crit(variety, mapping)]
-    delta = minors[0] if minors else variety.ring.constant(0)
-    if delta == 0:
-        raise DegenerateMapError(
-            "det J vanishes at every posture: the map never has full rank"
-        )
-    surface = orient(surface, delta)
+    surface, delta = oriented(variety, mapping)
     progress("atypical_values")
     fibers = fiber_polynomials(surface, mapping)
     atypical = atypical_values(fibers)
@@ -131,6 +122,28 @@ def decide_surface(
     return SurfaceDecision(
         verdict, delta, fibers, atypical, samples, road, graph, couples
     )
+
+
+def oriented(
+    variety: PolynomialSystem, mapping: PolynomialMap
+) -> tuple[Surface, Polynomial]:
+    """V with its charts, Delta affine along the fiber; and Delta, reduced on V.
+
+    Raises:
+        DegenerateMapError: Delta vanishes identically on V.
+        UnableError: V is no product of two factors, R no map to the plane, or Delta
+            affine along neither factor.
+    """
+    if len(mapping.components) != 2:
+        raise UnableError("decide_surface", "this engine decides maps to the plane")
+    surface = Surface(variety.ring, *product_factors(variety))
+    minors = [surface.reduce(minor) for minor in crit(variety, mapping)]
+    delta = minors[0] if minors else variety.ring.constant(0)
+    if delta == 0:
+        raise DegenerateMapError(
+            "det J vanishes at every posture: the map never has full rank"
+        )
+    return orient(surface, delta), delta
 
 
 def _couples(graph: RoadmapGraph, samples: list[Fiber]) -> Iterator[SurfaceCouple]:

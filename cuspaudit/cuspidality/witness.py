@@ -18,6 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cuspaudit.algebra.numeric import NumericPolynomial, numeric_values
+from cuspaudit.cuspidality.pair_decision import PairCouple, PairDecision, PairEnd
 from cuspaudit.cuspidality.surface_decision import SurfaceCouple, SurfaceDecision
 from cuspaudit.surface.sample_points import Posture
 from cuspaudit.surface.surface import Factor, Surface
@@ -25,6 +26,8 @@ from cuspaudit.surface.surface import Factor, Surface
 __all__ = ["SurfacePath", "posture_angles", "propose_path", "propose_paths"]
 
 Array = NDArray[np.float64]
+Decided = SurfaceDecision | PairDecision
+Couple = SurfaceCouple | PairCouple
 _BITS = 128
 _STEPS = 120
 _KEPT = 0.7
@@ -56,14 +59,14 @@ class SurfacePath:
         return self.smallest / self.largest
 
 
-def propose_paths(decision: SurfaceDecision) -> Iterator[SurfacePath]:
+def propose_paths(decision: Decided) -> Iterator[SurfacePath]:
     """A path for every couple, those that stand farthest from the singular set first.
 
     The two ends bound how far from it a path can keep.
     """
     land = _Landscape(decision, 1)
 
-    def height(couple: SurfaceCouple) -> float:
+    def height(couple: Couple) -> float:
         ends = np.array([_angles(decision.surface, p) for p in couple.postures])
         return float(np.abs(land.height(ends)).min())
 
@@ -77,7 +80,7 @@ def posture_angles(decision: SurfaceDecision, posture: Posture) -> Array:
     return pair[::-1] if _is_swapped(decision.surface) else pair
 
 
-def propose_path(decision: SurfaceDecision, couple: SurfaceCouple) -> SurfacePath:
+def propose_path(decision: Decided, couple: Couple) -> SurfacePath:
     """A path joining the couple inside its aspect, as far as sampling can tell."""
     land = _Landscape(decision, couple.sign)
     path = land.follow(decision, couple)
@@ -93,7 +96,7 @@ def propose_path(decision: SurfaceDecision, couple: SurfaceCouple) -> SurfacePat
 class _Landscape:
     """sign * Delta on V in floating point; points are (fiber, base) pairs."""
 
-    def __init__(self, decision: SurfaceDecision, sign: int) -> None:
+    def __init__(self, decision: Decided, sign: int) -> None:
         self.surface: Surface = decision.surface
         ring = self.surface.ring
         self.delta = NumericPolynomial(ring, sign * decision.delta)
@@ -138,7 +141,7 @@ class _Landscape:
         reach = np.where(steep, -constant / np.where(steep, slope**2, 1.0), 0.0)
         return np.asarray(slope * (max(float(reach.max()), 0.0) + 1.0))
 
-    def follow(self, decision: SurfaceDecision, couple: SurfaceCouple) -> Array:
+    def follow(self, decision: Decided, couple: Couple) -> Array:
         """The path along the roadmap."""
         start, goal = (_angles(self.surface, p) for p in couple.postures)
         turns = decision.graph.turns(*couple.postures)
@@ -158,7 +161,7 @@ def _is_swapped(surface: Surface) -> bool:
     return place(surface.fiber.names[0]) > place(surface.base.names[0])
 
 
-def _angles(surface: Surface, posture: Posture) -> Array:
+def _angles(surface: Surface, posture: Posture | PairEnd) -> Array:
     """The (fiber, base) coordinates of a posture, angles in (-pi, pi] of the chart."""
     y, x = (float(ball.mid()) for ball in posture.chart(_BITS))
     return np.array([_angle(surface.fiber, y), _angle(surface.base, x)])

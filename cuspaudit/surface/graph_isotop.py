@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Hashable, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
+from typing import Any
 
 import networkx as nx
 
@@ -33,17 +34,17 @@ class RoadmapGraph:
 
     graph: nx.Graph[Vertex]
     aspects: dict[Vertex, int]
-    placed: dict[Posture, Vertex]
+    placed: Mapping[Any, Vertex]
 
     def vert(self, fiber: Fiber) -> list[Vertex]:
         """The vertices of the postures of one fiber (the paper's ``Vert``)."""
         return [self.placed[posture] for posture in fiber.postures]
 
-    def aspect(self, posture: Posture) -> int:
+    def aspect(self, posture: Hashable) -> int:
         """The number of the aspect a query point lies in."""
         return self.aspects[self.placed[posture]]
 
-    def turns(self, first: Posture, second: Posture) -> int:
+    def turns(self, first: Hashable, second: Hashable) -> int:
         """How often a way between two connected postures goes round the base circle.
 
         Counted with sign: crossings of the point without chart, upwards positive.
