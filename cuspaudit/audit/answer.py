@@ -156,13 +156,17 @@ def _three_joints(model: ExactModel, progress: Progress) -> Answer:
 def _by_pairs(model: ExactModel, progress: Progress) -> Answer:
     decision = decide_pairs(*reduced_map(model), progress)
     count, together = len(decision.pairs), len(decision.couples)
-    among = f"{count} pairs of postures of one pose, one in every component of pairs"
     if decision.sheets is None:
-        why = "one coordinate of the pose depends on one joint alone"
-    elif decision.verdict is Verdict.CUSPIDAL:
-        why = f"{together} of {among}, have both ends in one aspect"
+        why = (
+            "up to turns and slides of joint 1 one coordinate of the position depends "
+            "on one joint alone, which tells the postures of a pose apart"
+        )
     else:
-        why = f"of {among} that could have both ends in one aspect, none has"
+        why = (
+            f"of {count} pairs of postures of one pose, one in every component of "
+            f"pairs that may lie in one aspect, {together or 'none'} "
+            f"{'does' if together == 1 else 'do'}"
+        )
     return Answer(
         model,
         decision.verdict,

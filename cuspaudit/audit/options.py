@@ -24,7 +24,7 @@ class Options:
         progress: called with the name of each step before it runs.
         snap: which numbers are taken for others.
         engine: the route to connectivity, "auto", "roadmap" or "routing"; or "pairs",
-            which proves a cuspidal verdict and gives evidence else.
+            which decides three joints, and gives a witness or evidence for six.
     """
 
     seed: int = 0

@@ -4,7 +4,8 @@ An arm of a compact task is noncuspidal if and only if no local maximum of |h h'
 its pairs has both ends in one aspect. The maxima are looked for by ascents from seeded
 random pairs (`pair_space`). That the list is complete is not proved: what it says of
 noncuspidal arms is evidence, with an estimate of what it misses. A maximum with both
-ends in one aspect proposes a witness, and its certificate proves it.
+ends in one aspect proposes a witness, and its certificate proves it. For three joints
+`cuspidality.pair_decision` is complete.
 """
 
 from __future__ import annotations

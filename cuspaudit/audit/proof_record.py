@@ -13,6 +13,7 @@ from typing import Any
 
 import cuspaudit
 from cuspaudit.audit.answer import Answer
+from cuspaudit.cuspidality.pair_decision import PairDecision
 from cuspaudit.cuspidality.surface_decision import SurfaceDecision
 from cuspaudit.surface.sample_points import Fiber
 
@@ -39,12 +40,44 @@ def proof_record(answer: Answer) -> str:
             for a in answer.model.approximations
         ],
         "run": _run(answer.decision) if answer.decision else None,
+        "pairs": _pairs(answer.by_pairs) if answer.by_pairs else None,
         "made_by": f"cuspaudit {cuspaudit.__version__}",
     }
     return json.dumps(record, indent=1) + "\n"
 
 
 def _run(decision: SurfaceDecision) -> dict[str, Any]:
+    return {
+        **_roadmap(decision),
+        "fiber_polynomial": str(decision.fibers.polynomial),
+        "atypical_values": [str(p) for p in decision.atypical],
+        "samples": [_sample(decision, fiber) for fiber in decision.samples],
+    }
+
+
+def _pairs(decision: PairDecision) -> dict[str, Any]:
+    sheets = decision.sheets
+    return {
+        **_roadmap(decision),
+        "walls": None if sheets is None else [str(p) for p in sheets.walls],
+        "pairs": [
+            {
+                "sheet": pair[0].sheet,
+                "ends": [
+                    {
+                        "base": str(end.base[0]),
+                        "fiber": [_text(ball) for ball in end.fiber_point(_BITS)],
+                        "aspect": decision.graph.aspect(end),
+                    }
+                    for end in pair
+                ],
+            }
+            for pair in decision.pairs
+        ],
+    }
+
+
+def _roadmap(decision: SurfaceDecision | PairDecision) -> dict[str, Any]:
     road, surface = decision.roadmap, decision.surface
     return {
         "ring": repr(surface.ring),
@@ -55,8 +88,6 @@ def _run(decision: SurfaceDecision) -> dict[str, Any]:
             "variables": surface.base.names,
             "chart_from": [str(entry) for entry in surface.base.rotation],
         },
-        "fiber_polynomial": str(decision.fibers.polynomial),
-        "atypical_values": [str(p) for p in decision.atypical],
         "roadmap": {
             "critical": [
                 {
@@ -72,7 +103,6 @@ def _run(decision: SurfaceDecision) -> dict[str, Any]:
             ],
         },
         "aspects": decision.aspects,
-        "samples": [_sample(decision, fiber) for fiber in decision.samples],
     }
 
 

@@ -81,7 +81,7 @@ RobotEngineName = Annotated[
     RobotEngine,
     typer.Option(
         help="Route of the decision; pairs looks at pairs of postures of one pose, "
-        "which proves a cuspidal verdict and is evidence else."
+        "which decides three joints, and six when it meets a witness."
     ),
 ]
 Seed = Annotated[int, typer.Option(help="Seed of every random choice.")]

@@ -8,28 +8,30 @@ atypical value is computed.
 
 **Theorem.** Let V = fiber x base, the fiber a circle on which R and Delta are affine,
 the values over points of the base circles (``surface.value_circles``), and mu > 0.
-Take a point in every cell of the plane of (x, w), x < w, without the walls of
-``surface.pair_sheets``, and where B > 0 the pair of each sheet over it. Then R is
-cuspidal if and only if one of these pairs has both ends in one aspect.
+Take a point in every cell of the plane of (x, w), x < w, off the walls of
+``surface.pair_sheets``, and where B > 0 the pair of each sheet over it on which Delta
+is not 0. Then R is cuspidal if and only if one of these pairs has both ends in one
+aspect.
 
 *Proof.* If one has, R is cuspidal. Let X be a component of W. Over one x a value with
-Delta != 0 is taken once: if N = 0, K = 0 and Delta = 0. So x != w on X, and (q, q')
-exchanged is in W too.
+Delta != 0 is taken once: if N = 0, K = 0 and Delta = 0. So x != w on X; and exchanging
+the ends of all pairs of X gives a component of W as well.
 
 (1) Somewhere on X the map (q, q') -> (x, w) has rank 2. Then the image of X contains
-an open set, hence points without wall and in the charts, and B > 0 there, as p - C(x)
-and p - C(w) are independent. Over their cell each sheet is connected, h != 0 at both
-ends, so the sheet that X meets lies in X and the pair chosen on it is in X.
+an open set, hence points off the walls and in the charts, and B > 0 there, as p - C(x)
+and p - C(w) are independent. Over the cell of such a point a sheet is connected and
+Delta has no zero on it at either end, so the sheet that X meets there lies in X. The
+pair chosen on it is in X, or with its ends exchanged.
 
-(2) The rank is less than 2 on X. R is a local chart at both ends and dx, dw are not 0
-in it (the gradient of <p - C, p - C> is not), so (x, w) moves on a curve, and p moves
-while (x, w) stands still: the circles over x and w are equal. Where C is not constant,
-C(x) = C(w), of degree 1 in (c, s) or 2 on a line, makes w the mirror image of x, for
-which N is then even, as it is analytic; the derivative by x of the equation of the
-circles is odd, and Delta, its multiple by a function of one sign, differs in sign at q
-and q'. Where C is constant, Delta is a multiple of N'(x) alone, along a path in an
-aspect x moves where N is monotone, and N(x) = N(w) excludes x != w. Either way q and q'
-are not in one aspect. QED.
+(2) The rank is less than 2 on X. In the coordinates p of X neither dx nor dw is 0, as
+the gradient of <p - C, p - C> is not. So the rank is 1: (x, w) moves on a curve, and p
+still moves while (x, w) stands, hence the circles over x and w are equal. If C is not
+constant, then C(x) = C(w), of degree 1 in (c, s) or 2 on a line, makes w the mirror
+image of x; N is even under it, being analytic; so the derivative by x of the equation
+of the circles is odd, and Delta, which is this times a function of one sign, has
+opposite signs at q and q'. If C is constant, Delta is N'(x) times a function of one
+sign; along a path in an aspect x moves where N is monotone, and N(x) = N(w) excludes
+x != w. Either way q and q' are not in one aspect. QED.
 
 **Triangular maps** (mu = 0): r_1 = A(x), r_2 = C_2(x) + <k_2(x), u>. No such map is
 cuspidal: Delta is a multiple of A'(x) <k_2, u'>, u' the point u turned by a right
@@ -148,7 +150,8 @@ def decide_pairs(
 
     Raises:
         DegenerateMapError: Delta vanishes identically on V.
-        UnableError: V, R or Delta is outside what this route handles.
+        UnableError: V, R or Delta is outside what this route handles, as for a chain
+            whose second joint slides.
         PrecisionError: the aspect of an end could not be told.
     """
     progress("crit")
@@ -191,9 +194,8 @@ def _pairs(sheets: PairSheets, road: Roadmap) -> Iterator[tuple[PairEnd, PairEnd
         return all(road.change.sign(x) != 0 for x in point)
 
     for x, w in sample_points_rational(ring, sheets.walls, ring.variables, accept):
-        if x < w and sheets.meet(x, w):
-            for sheet in (1, -1):
-                yield PairEnd(sheets, (x, w), sheet), PairEnd(sheets, (w, x), sheet)
+        for sheet in sheets.over(x, w) if x < w else ():
+            yield PairEnd(sheets, (x, w), sheet), PairEnd(sheets, (w, x), sheet)
 
 
 def _vertex(road: Roadmap, end: PairEnd) -> Vertex:

@@ -16,8 +16,9 @@ at R(u, x) and use that dR/du is across p - C), so
 
 U^2 - mu B V^2 is divisible by <n, n>: modulo <n, n> it is a multiple of
 <n, C_x>^2 + mu (n_1 C_2x - n_2 C_1x)^2 = <n, n> <C_x, C_x>. The quotient H vanishes
-where h is 0 on a sheet. Where it is zero identically, h is 0 on one of the sheets
-everywhere (all circles pass through one point) and a multiple of U on the other.
+where h is 0 on a sheet. Where it is zero identically, there is a sheet with h = 0 over
+every (x, w): a point p(x) with h = 0 lies on all circles, so it stays, and h = 0 at its
+other end as well. On the other sheet h is a multiple of U.
 """
 
 from __future__ import annotations
@@ -45,20 +46,32 @@ class PairSheets:
         offset: l, over 2 D(x) D(w).
         meeting: B, over the square of that; the circles meet in two points where it
             is positive.
-        critical: H, or U where H is zero identically; h = 0 at x on a sheet only where
-            this vanishes, or x = w.
+        even: U.
+        odd: V.
+        norm: H.
     """
 
     circles: ValueCircles
     normal: tuple[Polynomial, Polynomial]
     offset: Polynomial
     meeting: Polynomial
-    critical: Polynomial
+    even: Polynomial
+    odd: Polynomial
+    norm: Polynomial
 
     @property
     def are_empty(self) -> bool:
-        """Whether B > 0 nowhere, as B = 0 or, the circles concentric, B = -l^2."""
-        return bool(self.meeting == 0 or not any(self.normal))
+        """Whether nowhere B > 0 and h != 0.
+
+        B = 0; or n = 0, the circles concentric, and B = -l^2; or U = V = 0, as all
+        circles pass through two points.
+        """
+        return bool(self.meeting == 0 or self.critical == 0)
+
+    @property
+    def critical(self) -> Polynomial:
+        """Zero where h is at x on a sheet, x != w, on which it is not everywhere."""
+        return self.even if self.odd == 0 or self.norm == 0 else self.norm
 
     @property
     def walls(self) -> tuple[Polynomial, ...]:
@@ -67,19 +80,28 @@ class PairSheets:
         other = self.circles.exchanged(self.critical)
         return (x - w, self.meeting, self.critical, other)
 
-    def meet(self, x: fmpq, w: fmpq) -> bool:
-        """Whether B > 0, exactly."""
-        ring = self.circles.ring
-        value = ring.substitute(self.meeting, {"x": x, "w": w})
-        return Univariate.from_polynomial(ring, value, "x").sign(fmpq(0)) > 0
+    def over(self, x: fmpq, w: fmpq) -> tuple[int, ...]:
+        """The sheets over a point off the walls, but for one on which h = 0."""
+        if self._sign(self.meeting, x, w) < 0:
+            return ()
+        if self.norm != 0:
+            return (1, -1)
+        return (self._sign(self.even, x, w) * self._sign(self.odd, x, w),)
 
-    def fiber_point(self, x: fmpq, w: fmpq, sheet: int, bits: int) -> tuple[arb, arb]:
+    def _sign(self, polynomial: Polynomial, x: fmpq, w: fmpq) -> int:
+        ring = self.circles.ring
+        value = ring.substitute(polynomial, {"x": x, "w": w})
+        return Univariate.from_polynomial(ring, value, "x").sign(fmpq(0))
+
+    def fiber_point(
+        self, x: fmpq | arb, w: fmpq | arb, sheet: int, bits: int
+    ) -> tuple[arb, arb]:
         """Balls of (c, s) of the end over ``x`` of the pair over (x, w).
 
         Args:
             x: chart coordinate of this end.
             w: of the other end; B > 0 at (x, w).
-            sheet: 1 or -1; the pair (w, x) has the same one.
+            sheet: 1 or -1; for the pair (w, x) it is the same.
             bits: of the working precision.
         """
         saved, ctx.prec = ctx.prec, bits
@@ -139,5 +161,6 @@ def pair_sheets(circles: ValueCircles) -> PairSheets:
         )
     )
     norm = reduce(even * even - mu * meeting * odd * odd)
-    critical = even if odd == 0 or norm == 0 else exact_quotient(ring, norm, length)
-    return PairSheets(circles, normal, offset, meeting, critical)
+    if norm != 0:
+        norm = exact_quotient(ring, norm, length)
+    return PairSheets(circles, normal, offset, meeting, even, odd, norm)

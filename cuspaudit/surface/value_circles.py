@@ -11,12 +11,13 @@ metric <p, q> = p_1 q_1 + mu p_2 q_2; a value p of it belongs to one point of th
 fiber only, u = K^T (p_1 - C_1, mu (p_2 - C_2)) / N, unless N = 0 and K = 0. If mu = 0,
 then r_1 depends on x alone, and R is *triangular*.
 
-For a chain of three joints with joint 2 revolute this is so. With axis z1 revolute,
-r_1 = |p|^2 and r_2 = z1 . p; the turn of joint 2 carries a vector in the plane across
-its axis, on which r_1 and r_2 are linear forms; one combination is a multiple of the
-distance along the common normal of axes 1 and 2, and r_2 the sine of their angle times
-the distance across it. With axis 1 prismatic, r_1 and r_2 are a projection of that
-plane. It is checked here, not assumed.
+This is so wherever Delta is affine on the fiber as well, hence for a chain of three
+joints with joint 2 revolute. *Proof.* Delta is a multiple of det(K u', K_x u + C_x), u'
+the point u turned by a right angle, whose part of degree 2 in u must be a multiple of
+<u, u>. Where det K != 0, it is one of <u, K^-1 K_x u>; so K^-1 K_x is a multiple of a
+turn, and K is K_0 times a multiple of a turn, K_0 constant: k_i . k_j are constants
+times one function. If det K = 0 everywhere, K = a b^T, the part is <a', a_x> <b, u>
+<b', u>, and so the direction of a is constant. QED. All the same it is checked.
 """
 
 from __future__ import annotations
@@ -125,7 +126,9 @@ def _ratio(ring: Ring, p: Polynomial, q: Polynomial) -> Polynomial:
     above, under = next(pair for pair in values if pair[1] != 0)
     constant = exact_quotient(ring, above, under)
     if ring.reduce(p - constant * q) != 0:
-        raise _unable("the values over a point of the base form an ellipse")
+        raise _unable(
+            "the values over points of the base form ellipses of several shapes"
+        )
     return constant
 
 

@@ -1,17 +1,26 @@
-"""`--engine routing`: the second route confirms the verdict, or there is none."""
+"""`--engine routing` confirms a verdict by a second route; `--engine pairs` decides."""
 
 from __future__ import annotations
 
 import dataclasses
+import json
 from importlib import import_module
+from pathlib import Path
 
+import jsonschema
 import pytest
+from short_tables import arm, ask, with_wrist
 
+import cuspaudit
+from cuspaudit.audit.answer import answer
 from cuspaudit.audit.library import open_robot
 from cuspaudit.audit.report import Options, audit
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import CrossCheckError
+from cuspaudit.kinematics.exact_model import exact_model
 
+FILE = Path(cuspaudit.__file__).parent / "audit" / "schema.json"
+SCHEMA = json.loads(FILE.read_text())
 ROUTING = Options(engine="routing")
 module = import_module("cuspaudit.audit.answer")
 
@@ -47,14 +56,40 @@ def test_what_the_routing_cannot_take_is_undecided() -> None:
 
 @pytest.mark.parametrize(
     ("name", "verdict"),
-    [("chablat-2022-3r", "cuspidal"), ("puma-560-arm", "undecided")],
+    [("chablat-2022-3r", "cuspidal"), ("baili-2004-wt8", "noncuspidal")],
 )
-def test_pairs_prove_a_couple_or_give_evidence(name: str, verdict: str) -> None:
-    """With --engine pairs a three-joint arm is cuspidal by pairs, or undecided."""
-    record = audit(open_robot(name), Options(engine="pairs")).record()
-    assert record["verdict"] == verdict
+def test_pairs_decide_three_joints(name: str, verdict: str) -> None:
+    """With --engine pairs the verdict is proved, and Algorithm 1 was not run."""
+    found = audit(open_robot(name), Options(engine="pairs"))
+    record = found.record()
+    jsonschema.validate(json.loads(json.dumps(record)), SCHEMA)
+    assert record["verdict"] == record["models"]["literal"] == verdict
+    assert record["proof"]["engine"] == "pairs"
+    assert record["proof"]["kind"] == {"cuspidal": "witness"}.get(verdict, "exact")
+    assert record["aspects"] == audit(open_robot(name)).record()["aspects"]
+    assert found.answer.decision is None
     if verdict == "cuspidal":
-        assert record["proof"]["engine"] == "pairs"
-        assert record["proof"]["rests_on"] == ["ball arithmetic"]
-    else:
-        assert record["undecided"]["pairs"]["together"] == 0
+        assert record["witness"]["clearance"] > 0.1
+
+
+def test_pairs_need_a_second_joint_that_turns() -> None:
+    """Where the second joint slides the pairs leave the arm undecided, and say why."""
+    chain = arm((1, 2, 1), (0, 1, 0), (60, 45, 0), "RPR")
+    found = answer(exact_model(chain), engine="pairs")
+    assert found.verdict is Verdict.UNDECIDED
+    assert found.undecided is not None
+    assert found.undecided.step == "pairs"
+
+
+def test_pairs_decide_where_sample_values_are_unable() -> None:
+    """A spherical shoulder: no coordinate tells postures apart, axes 1 and 2 meet."""
+    chain = arm((0, "7/2", "19/5"), (0, 0, "7/10"), (90, 90, 0))
+    found = ask(chain)
+    assert found.verdict is Verdict.NONCUSPIDAL
+    assert found.decision is None
+    assert found.by_pairs is not None
+    wrist = ask(with_wrist(chain))
+    assert wrist.verdict is Verdict.NONCUSPIDAL
+    assert wrist.aspects is not None
+    assert found.aspects is not None
+    assert wrist.aspects.count == 2 * found.aspects.count

@@ -44,6 +44,17 @@ def test_cuspidal_record_shows_a_couple() -> None:
     assert shared
 
 
+def test_the_record_of_pairs_separates_their_ends() -> None:
+    """In the record of a noncuspidal decision by pairs no pair is in one aspect."""
+    model = exact_model(open_robot("baili-2004-wt8").chain)
+    record = json.loads(proof_record(answer(model, engine="pairs")))
+    assert record["run"] is None
+    assert len(record["pairs"]["walls"]) == 4
+    pairs = [pair["ends"] for pair in record["pairs"]["pairs"]]
+    assert len(pairs) > 10
+    assert all(one["aspect"] != other["aspect"] for one, other in pairs)
+
+
 def test_a_theorem_leaves_no_run_to_record() -> None:
     """The UR pattern is settled without a run: its record names the theorem."""
     record = record_of("ur5")
