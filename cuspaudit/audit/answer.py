@@ -108,7 +108,7 @@ def answer(
         progress: called with the name of each step before it runs.
         engine: "routing" has the verdict of Algorithm 1 found again by the second
             route to connectivity; without its agreement there is none. "pairs"
-            decides three joints by pairs of postures alone [DESIGN 6.4].
+            decides three joints by their pairs of postures [DESIGN 6.4].
 
     Raises:
         AssumptionError: a hypothesis fails for this arm (det J vanishes identically).
@@ -119,7 +119,7 @@ def answer(
         found = (
             three(model, progress)
             if model.chain.task == "position"
-            else _six_joints(model, progress)
+            else _six_joints(model, progress, three)
         )
         if engine == "routing" and found.decision is not None:
             return _confirmed(found, found.decision, progress)
@@ -207,7 +207,11 @@ def _sentence(decision: SurfaceDecision) -> str:
     )
 
 
-def _six_joints(model: ExactModel, progress: Progress) -> Answer:
+def _six_joints(
+    model: ExactModel,
+    progress: Progress,
+    three: Callable[[ExactModel, Progress], Answer],
+) -> Answer:
     progress("reductions")
     reduction = reduce_six_joints(model)
     if reduction is None:
@@ -232,7 +236,7 @@ def _six_joints(model: ExactModel, progress: Progress) -> Answer:
             if reduction.aspects
             else count_aspects(model),
         )
-    regional = _three_joints(reduction.regional, progress)
+    regional = three(reduction.regional, progress)
     aspects, postures = _twice(regional.aspects), _twice(regional.postures)
     if regional.verdict is Verdict.CUSPIDAL and not reduction.is_equivalent:
         why = f"{reduction.why}, and they are: the theorem says no more"

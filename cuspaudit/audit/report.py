@@ -221,9 +221,9 @@ def audit(robot: Robot, options: Options | None = None) -> Audit:
 
 def _decide(robot: Robot, model: ExactModel, clock: Clock) -> Answer:
     try:
-        if clock.engine == "pairs" and model.chain.task == "pose":
-            return not_asked(model)
-        return answer(model, clock.step, clock.engine)
+        found = answer(model, clock.step, clock.engine)
+        by_pairs = found.by_pairs is not None or model.chain.task == "position"
+        return found if by_pairs or clock.engine != "pairs" else not_asked(model)
     except DegenerateMapError as error:
         chain = model.chain
         raise DegenerateMapError(

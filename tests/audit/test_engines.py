@@ -72,6 +72,15 @@ def test_pairs_decide_three_joints(name: str, verdict: str) -> None:
         assert record["witness"]["clearance"] > 0.1
 
 
+def test_pairs_decide_under_a_wrist() -> None:
+    """PUMA 560 by the pairs of its first three joints."""
+    record = audit(open_robot("puma-560"), Options(engine="pairs")).record()
+    assert record["verdict"] == "noncuspidal"
+    assert record["proof"]["engine"] == "pairs"
+    assert record["proof"]["reduction"] == "spherical wrist"
+    assert record["aspects"] == {"count": 8, "proved": True}
+
+
 def test_pairs_need_a_second_joint_that_turns() -> None:
     """Where the second joint slides the pairs leave the arm undecided, and say why."""
     chain = arm((1, 2, 1), (0, 1, 0), (60, 45, 0), "RPR")

@@ -7,19 +7,22 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
+from flint import arb
 from short_tables import arm, ask, with_wrist
 
+from cuspaudit.algebra.numeric import NumericPolynomial
 from cuspaudit.audit.aspects import revolute_circles
 from cuspaudit.audit.library import open_robot
 from cuspaudit.audit.pair_space import PairSpace, separation
 from cuspaudit.audit.pairs import PROVED, PairRecord, pair_maxima
+from cuspaudit.cuspidality import decide_pairs
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import UnableError
 from cuspaudit.geometry.torus_function import TorusFunction
 from cuspaudit.kinematics.chain import Chain
 from cuspaudit.kinematics.exact_model import ExactModel, exact_model
 from cuspaudit.kinematics.frames import angle_value, frames
-from cuspaudit.kinematics.polynomial_map import jacobian_determinant
+from cuspaudit.kinematics.polynomial_map import jacobian_determinant, reduced_map
 from cuspaudit.kinematics.snapping import snap
 
 
@@ -149,6 +152,43 @@ def test_random_arms_agree_with_the_exact_engine(seed: int) -> None:
     exact = ask(chain)
     record = pair_maxima(exact_model(chain))
     assert (record.together > 0) == (exact.verdict is Verdict.CUSPIDAL)
+
+
+def aspects_missed(record: PairRecord, model: ExactModel) -> set[tuple[int, int]]:
+    """The two aspects of every exact pair that no maximum joins."""
+    variety, mapping = reduced_map(model)
+    decision = decide_pairs(variety, mapping)
+    delta = NumericPolynomial(variety.ring, decision.delta)
+    zeros = [angle_value(joint.zero) for joint in model.joints]
+    c, s = (float(x.p / x.q) for x in decision.surface.base.rotation)
+    assert decision.surface.base.names == ("c3", "s3")
+
+    def aspect(posture: tuple[float, ...]) -> int:
+        second, third = (q + z for q, z in zip(posture[1:], zeros[1:], strict=True))
+        at = [f(q) for q in (second, third) for f in (np.cos, np.sin)]
+        strip = decision.roadmap.strip_of(
+            arb(np.tan((third - np.arctan2(s, c)) / 2)), 64
+        )
+        return decision.graph.aspects[strip, int(np.sign(delta([at])[0]))]
+
+    exact = {tuple(sorted(map(decision.graph.aspect, p))) for p in decision.pairs}
+    met = {tuple(sorted(map(aspect, m.postures))) for m in record.maxima}
+    assert met <= exact
+    return exact - met
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", [1, 2, 8, 13, 24, 30, 33])
+def test_what_ascents_miss_is_what_they_say_they_may_miss(seed: int) -> None:
+    """Maxima join aspects that exact pairs join; all, where none was met only once."""
+    rng = random.Random(seed)
+    a = [Fraction(rng.randrange(2, 40), 10) for _ in range(3)]
+    d = [Fraction(rng.randrange(0, 20), 10) for _ in range(3)]
+    right = (90, -90) if seed % 2 else (30, -45, 60, 90, -90)
+    model = exact_model(arm(a, d, (*(rng.choice(right) for _ in range(2)), 0)))
+    record = pair_maxima(model)
+    assert record.pairs > 0
+    assert not aspects_missed(record, model) or record.missed
 
 
 @pytest.mark.slow

@@ -1,15 +1,27 @@
-"""The general algorithm against the fast one for two joints, on random 3R arms."""
+"""The routes to a verdict of three joints, against each other."""
 
 from __future__ import annotations
 
 import random
+from pathlib import Path
 
 import pytest
+import yaml
 from short_tables import arm
 
-from cuspaudit.cuspidality import decide, decide_surface
+import cuspaudit
+from cuspaudit.audit.library import open_robot
+from cuspaudit.cuspidality import decide, decide_pairs, decide_surface
 from cuspaudit.kinematics.exact_model import exact_model
 from cuspaudit.kinematics.polynomial_map import reduced_map
+from cuspaudit.kinematics.snapping import snap
+
+ROBOTS = Path(cuspaudit.__file__).parents[1] / "robots"
+ARMS = [
+    file.stem
+    for file in sorted(ROBOTS.glob("*.yaml"))
+    if len(yaml.safe_load(file.read_text())["joints"]) == 3
+]
 
 
 def random_table(seed: int) -> tuple[tuple[object, ...], ...]:
@@ -42,3 +54,12 @@ def test_the_roadmap_of_a_map_agrees_with_that_of_an_arm(seed: int) -> None:
 def test_the_routing_of_a_map_agrees_with_the_roadmap_of_an_arm(seed: int) -> None:
     """So does its second route; `tests/geometry/test_routing.py` has 100 more arms."""
     compare(seed, "routing")
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ARMS)
+def test_pairs_agree_on_every_arm_of_ours(name: str) -> None:
+    """Pairs of postures give the verdict and aspects of Algorithm 1."""
+    system = reduced_map(exact_model(snap(open_robot(name).chain)[0]))
+    fast, pairs = decide_surface(*system), decide_pairs(*system)
+    assert (pairs.verdict, pairs.aspects) == (fast.verdict, fast.aspects)
