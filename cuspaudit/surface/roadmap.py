@@ -2,10 +2,10 @@
 
 On V = fiber x base the function Delta is affine in the variables of the fiber:
 Delta = P c + Q s + S on a circle, P q + S on a line, with P, Q, S functions on the
-base. (For a serial chain this is a theorem: in a frame fixed to the link between two
-joints, det J is affine in the cosine and sine of either.) So over a point x of the
-base the set {Delta > 0} is empty, one arc or the whole fiber, and likewise
-{Delta < 0}; what it is changes only at the real zeros of
+base. (For a chain of three joints whose second is revolute this is a theorem: seen from
+the link after it, only the column of the first joint depends on the second, and that
+affinely.) So over a point x of the base the set {Delta > 0} is empty, one arc or the
+whole fiber, and likewise {Delta < 0}; what it is changes only at the real zeros of
 
     D = P^2 + Q^2 - S^2  (circle),    D = P^2  (line).
 

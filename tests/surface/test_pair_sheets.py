@@ -91,7 +91,10 @@ def test_the_sign_of_delta_is_that_of_the_formula(name: str) -> None:
     assert len(signs) == 1
 
 
-@pytest.mark.parametrize("name", MAPS)
+@pytest.mark.parametrize(
+    "name",
+    [pytest.param(n, marks=pytest.mark.slow) if "sqrt" in n else n for n in MAPS],
+)
 def test_every_two_postures_of_a_value_are_ends_of_a_pair(name: str) -> None:
     """Fibers that Algorithm 1 solves for, seen two by two: one sheet holds both."""
     decision = decided(MAPS[name])
