@@ -302,18 +302,18 @@ def _window(
 ) -> tuple[fmpq, fmpq]:
     """Rationals on both sides of ``root``, inside ``between``, no zero in between."""
     for bits in PRECISIONS:
-        here = root.enclosure(bits)
-        balls = [zero.enclosure(bits) for zero in zeros]
-        if any(ball.overlaps(here) for ball in balls):
-            continue
-        ends = [*balls, arb(between[0]), arb(between[1])]
-        if width is not None:
-            ends += [here - arb(width), here + arb(width)]
-        if any(ball.overlaps(here) for ball in ends):
-            continue
-        low = max((e for e in ends if e < here), key=lambda e: e.mid())
-        high = min((e for e in ends if e > here), key=lambda e: e.mid())
-        return next(rationals_between(low, here)), next(rationals_between(here, high))
+        with ctx.workprec(bits):
+            here = root.enclosure(bits)
+            ends = [*(zero.enclosure(bits) for zero in zeros), *map(arb, between)]
+            if width is not None:
+                ends += [here - arb(width), here + arb(width)]
+            if any(end.overlaps(here) for end in ends):
+                continue
+            low = max((e for e in ends if e < here), key=lambda e: e.mid())
+            high = min((e for e in ends if e > here), key=lambda e: e.mid())
+            return next(rationals_between(low, here)), next(
+                rationals_between(here, high)
+            )
     raise PrecisionError("a way past a root", PRECISIONS[-1])
 
 

@@ -21,10 +21,12 @@ from cuspaudit.geometry.open_cells import Contact
 
 __all__ = ["cross", "only_met"]
 
-_BITS = 106
+_BITS = 96
+#: every round, twice those by which the contact shrinks
+_MORE_BITS = 10
 _ROUNDS = 30
 #: after so many rounds the points over the contact are counted
-_PATIENCE = 6
+_PATIENCE = 12
 _SHRINK = fmpq(1, 32)
 _SMALLEST_STEP = fmpq(1, 4)
 
@@ -55,12 +57,13 @@ def cross(
     for done in count(1):
         width *= _SHRINK
         contact = contact.shrunk(width)
-        below, above = (_sheets(fiber, end) for end in contact.ends)
-        for i, point in enumerate(below):
-            if i not in pairs:
-                j = _across(fiber, contact, point, above)
-                if j is not None:
-                    pairs[i] = j
+        with ctx.workprec(_BITS + _MORE_BITS * done):
+            below, above = (fiber.sheets(end) for end in contact.ends)
+            for i, point in enumerate(below):
+                if i not in pairs:
+                    j = _across(fiber, contact, point, above)
+                    if j is not None:
+                        pairs[i] = j
         if len(pairs) == min(len(below), len(above)):
             break
         if done >= _PATIENCE and expected is None:
@@ -74,11 +77,6 @@ def cross(
     return sorted(pairs.items())
 
 
-def _sheets(fiber: GenericFiber, value: Sequence[fmpq]) -> list[Point]:
-    with ctx.workprec(_BITS):
-        return fiber.sheets(value)
-
-
 def _across(
     fiber: GenericFiber, contact: Contact, point: Point, above: Sequence[Point]
 ) -> int | None:
@@ -88,11 +86,10 @@ def _across(
     ``above``; it is the only one that its box meets.
     """
     y0, y1 = (tuple(map(arb, end)) for end in contact.ends)
-    with ctx.workprec(_BITS):
-        chart = square_chart(fiber.variety, fiber.mapping, point)
-        if chart is None:
-            return None
-        way = follow(chart, point, y0, y1, smallest=_SMALLEST_STEP)
+    chart = square_chart(fiber.variety, fiber.mapping, point)
+    if chart is None:
+        return None
+    way = follow(chart, point, y0, y1, smallest=_SMALLEST_STEP)
     return None if way is None else only_met(way.end, above)
 
 
