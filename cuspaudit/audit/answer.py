@@ -100,11 +100,11 @@ def answer(
 
     A three-joint position task runs Algorithm 1 on the reduced map [DESIGN 5], or is
     decided by its pairs of postures where that is unable; a six-joint pose task is
-    reduced to one, or settled by a theorem, when it can be [DESIGN 6.1]. What is out of
-    reach is UNDECIDED.
+    reduced to one, or settled by a theorem, when it can be [DESIGN 6.1]. Five joints
+    with a tool axis are six with a virtual one. What is out of reach is UNDECIDED.
 
     Args:
-        model: of a chain of three or six joints.
+        model: of a chain of three or six joints, a virtual one included.
         progress: called with the name of each step before it runs.
         engine: "routing" has the verdict of Algorithm 1 found again by the second
             route to connectivity; without its agreement there is none. "pairs"
@@ -213,7 +213,7 @@ def _six_joints(
     three: Callable[[ExactModel, Progress], Answer],
 ) -> Answer:
     progress("reductions")
-    reduction = reduce_six_joints(model)
+    reduction = _named(model, reduce_six_joints(model))
     if reduction is None:
         if jacobian_determinant(model) == 0:
             raise DegenerateMapError("det J vanishes at every posture")
@@ -260,6 +260,15 @@ def _six_joints(
 def _twice(regional: Count | None) -> Count | None:
     """The number for the six-joint arm: its wrist has two sides."""
     return replace(regional, count=2 * regional.count) if regional else None
+
+
+def _named(model: ExactModel, reduction: Reduction | None) -> Reduction | None:
+    """The reduction, saying which axis no joint of the robot turns about."""
+    if reduction is None or not model.chain.joints[-1].is_virtual:
+        return reduction
+    number = len(model.joints)
+    why = f"with the tool axis as axis {number} [virtual_joint], {reduction.why}"
+    return replace(reduction, why=why)
 
 
 def _undecided(

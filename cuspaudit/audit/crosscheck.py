@@ -29,6 +29,7 @@ from cuspaudit.audit.singular import model_points, random_postures, singular_pos
 from cuspaudit.errors import CrossCheckError
 from cuspaudit.kinematics.exact_model import ExactModel
 from cuspaudit.kinematics.polynomial_map import jacobian_determinant, polynomial_map
+from cuspaudit.kinematics.virtual_joint import without_virtual_joint
 
 __all__ = ["CrossCheck", "crosscheck", "singular_postures"]
 
@@ -95,7 +96,7 @@ def crosscheck(
         locked: joints that the chain holds fixed, as for `kinematics.task.lock`.
         singular: postures on det J = 0 of ``model``; None for 20 of
             `singular_postures`.
-        path: way points of a witness, joint values in chain order, not reduced
+        path: way points of a witness, joint values in the model's order, not reduced
             modulo 2 pi.
         path_is_literal: whether ``path`` belongs to ``literal`` (if given), as a
             certificate's does, or to ``model``.
@@ -142,7 +143,7 @@ class _Comparison:
         urdf: Path | None,
         locked: Mapping[str, LockValue] | None,
     ) -> None:
-        chain = model.chain
+        chain = without_virtual_joint(model.chain)
         self.model = model
         self.length = reach_scale(chain)
         self.name = f"{chain.name} ({urdf.name if urdf else 'its chain'})"
@@ -156,7 +157,7 @@ class _Comparison:
     def random(self, samples: int, rng: np.random.Generator) -> tuple[float, float]:
         """(largest relative error, what is allowed) at random postures."""
         postures = random_postures(self.model, samples, rng, self.length)
-        placed = [self.arm.at(posture) for posture in postures]
+        placed = [self._placed(posture) for posture in postures]
         points = model_points(self.model, postures)
         slides = [j.kind == "prismatic" for j in self.model.joints]
         reach = self.length + float(np.abs(postures[:, slides]).sum(axis=1).max())
@@ -196,7 +197,7 @@ class _Comparison:
         values) would be 1e-14; where two singular values vanish together each is about
         the root of that, and the root of e is added for a model that was moved.
         """
-        values = self.arm.at(posture).singular_values(self.length)
+        values = self._placed(posture).singular_values(self.length)
         ratio = float(values[-1] / values[0])
         bound = _RANK + self.moved**0.5
         if not ratio <= bound:
@@ -215,7 +216,7 @@ class _Comparison:
         points = np.asarray(path, dtype=np.float64)
         middles = (points[1:] + points[:-1]) / 2
         postures: Array = np.vstack([points, middles])
-        placed = [self.arm.at(posture) for posture in postures]
+        placed = [self._placed(posture) for posture in postures]
         theirs = np.array([p.determinant for p in placed]) / self.length**3
         margin = np.array([_MARGIN * self._hadamard(p) for p in placed])
         mine = self._values(model_points(self.model, postures))
@@ -229,6 +230,10 @@ class _Comparison:
                 f"{theirs[k]:.6g} there by Pinocchio, {mine[k]:.6g} by the polynomial)"
             )
         return len(postures)
+
+    def _placed(self, posture: Sequence[float] | Array) -> Placed:
+        """Pinocchio's answer, which knows nothing of a virtual joint at the end."""
+        return self.arm.at(posture[: len(self.arm.chain.joints)])
 
     def _values(self, points: Array) -> Array:
         return np.asarray(self._determinant(points) / self.length**3)

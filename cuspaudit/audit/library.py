@@ -46,7 +46,7 @@ def open_robot(
         name_or_path: a file, or a name that `library` lists.
         base: base link of a URDF.
         tip: tip link of a URDF.
-        task: "position" or "pose".
+        task: a name in `kinematics.task.DIMENSIONS`.
         lock: joint name to the value at which it is fixed; without ``task``, the
             task is then that of the joints left.
         convention: D-H convention of a table that does not say.

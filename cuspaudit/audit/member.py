@@ -17,6 +17,7 @@ from cuspaudit.kinematics.chain import Angle, Chain
 from cuspaudit.kinematics.exact_model import exact_model
 from cuspaudit.kinematics.expressions import Value
 from cuspaudit.kinematics.members import Family, exact_text
+from cuspaudit.kinematics.virtual_joint import with_virtual_joint
 from cuspaudit.surface.cusps import Count
 
 __all__ = ["Row", "decide_member", "failed_member"]
@@ -55,7 +56,7 @@ def failed_member(family: Family, index: int, why: str) -> Row:
 
 
 def _decided(family: Family, index: int) -> Row:
-    chain = family.robot(index).chain
+    chain = with_virtual_joint(family.robot(index).chain)
     found, witness = answer(exact_model(chain)), None
     if needs_search(found):
         found, witness = searched(found, chain, family.seed)

@@ -19,7 +19,14 @@ import pinocchio as pin
 from numpy.typing import NDArray
 
 from cuspaudit.errors import InvalidRobotError
-from cuspaudit.kinematics.chain import Angle, Chain, Motion, Translation, Vector
+from cuspaudit.kinematics.chain import (
+    Angle,
+    Chain,
+    Motion,
+    Task,
+    Translation,
+    Vector,
+)
 from cuspaudit.kinematics.frames import angle_value
 from cuspaudit.kinematics.numbers import parse_angle, parse_length
 from cuspaudit.kinematics.place import Place, quoted
@@ -44,8 +51,8 @@ class Placed:
 
     Attributes:
         pose: (4, 4) tip frame in the base frame.
-        jacobian: (3, n) for a position task, else (6, n): velocity of the tip's
-            origin, then angular velocity, in the axes of the base frame.
+        jacobian: velocity of the tip's origin in the axes of the base frame; then for
+            a pose the angular velocity, for a tool axis its two parts across that.
     """
 
     pose: Array
@@ -105,8 +112,20 @@ class PinocchioArm:
         )[:, [joint.idx_v for joint in self._joints]]
         pose = np.array((base.inverse() * tip).homogeneous)
         back = np.array(base.rotation).T
-        jacobian = np.vstack([back @ full[:3], back @ full[3:]])
-        return Placed(pose, jacobian[:3] if self.chain.task == "position" else jacobian)
+        turning = back @ full[3:]
+        rows = _turning_rows(self.chain.task, pose[:3, :3])
+        return Placed(pose, np.vstack([back @ full[:3], rows @ turning]))
+
+
+def _turning_rows(task: Task, rotation: Array) -> Array:
+    """(k, 3) directions about which the task sees the tip turn."""
+    if task == "position":
+        return np.zeros((0, 3))
+    turned = {"position-and-x-axis": "yz", "position-and-y-axis": "zx"}
+    if task == "position-and-z-axis" or task in turned:
+        columns = ["xyz".index(letter) for letter in turned.get(task, "xy")]
+        return np.asarray(rotation[:, columns].T)
+    return np.eye(3)
 
 
 def arm_from_chain(chain: Chain) -> PinocchioArm:

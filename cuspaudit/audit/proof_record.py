@@ -15,6 +15,7 @@ import cuspaudit
 from cuspaudit.audit.answer import Answer
 from cuspaudit.cuspidality.pair_decision import PairDecision
 from cuspaudit.cuspidality.surface_decision import SurfaceDecision
+from cuspaudit.kinematics.virtual_joint import without_virtual_joint
 from cuspaudit.surface.sample_points import Fiber
 
 __all__ = ["SCHEMA", "proof_record"]
@@ -30,7 +31,7 @@ def proof_record(answer: Answer) -> str:
     record = {
         "schema": SCHEMA,
         "robot": answer.model.chain.name,
-        "task": answer.model.chain.task,
+        "task": without_virtual_joint(answer.model.chain).task,
         "verdict": answer.verdict.value,
         "why": answer.why,
         "rests_on": list(answer.rests_on),

@@ -26,6 +26,7 @@ from cuspaudit.kinematics.polynomial_map import jacobian_determinant
 from cuspaudit.kinematics.robot import Robot
 from cuspaudit.kinematics.snap_policy import DEFAULT_POLICY, SnapPolicy
 from cuspaudit.kinematics.snapping import Snapped, snap
+from cuspaudit.kinematics.virtual_joint import with_virtual_joint, without_virtual_joint
 from cuspaudit.surface.cusps import Count
 
 __all__ = ["SCHEMA", "Audit", "Options", "audit"]
@@ -157,19 +158,39 @@ class Audit:
         }
 
     @property
+    def shown_chain(self) -> Chain:
+        """The robot's own joints with the numbers that the witness is for, if any."""
+        return self.robot.chain if self._is_literal else self.chain
+
+    @property
     def _is_literal(self) -> bool:
-        return self.witness is not None and self.witness.chain == self.robot.chain
+        literal = with_virtual_joint(self.robot.chain)
+        return self.witness is not None and self.witness.chain == literal
 
     def _witness(self, certificate: str | None) -> dict[str, Any] | None:
         if self.witness is None:
             return None
         model = "literal" if self._is_literal else "snapped"
-        return _shown(self.witness, model, certificate)
+        return self._shown(self.witness, model, certificate)
 
     def _literal_witness(self) -> dict[str, Any] | None:
         if self.literal_witness is None:
             return None
-        return _shown(self.literal_witness, "literal", None)
+        return self._shown(self.literal_witness, "literal", None)
+
+    def _shown(
+        self, witness: Witness, model: str, certificate: str | None
+    ) -> dict[str, Any]:
+        rows = witness.path[:, : len(self.chain.joints)]
+        path = [[float(v) for v in row] for row in rows]
+        return {
+            "sign": witness.sign,
+            "postures": [path[0], path[-1]],
+            "path": path,
+            "clearance": witness.clearance,
+            "model": model,
+            "certificate": certificate,
+        }
 
 
 def audit(robot: Robot, options: Options | None = None) -> Audit:
@@ -184,21 +205,21 @@ def audit(robot: Robot, options: Options | None = None) -> Audit:
     clock = Clock(options)
     with clock.stage("import"):
         chain, snapped = snap(robot.chain, options.snap)
-        model = exact_model(chain)
+        model, literal = exact_model(chain), with_virtual_joint(robot.chain)
     with clock.stage("decide"):
         found = _decide(robot, model, clock)
     with clock.stage("certify"):
-        found, witness = _certify(found, robot.chain, clock)
+        found, witness = _certify(found, literal, clock)
     with clock.stage("search"):
         if needs_search(found):
-            found, witness = searched(found, robot.chain, options.seed, clock.step)
+            found, witness = searched(found, literal, options.seed, clock.step)
     with clock.stage("pairs"):
         if needs_pairs(found):
-            found, witness = _by_pairs(found, robot.chain, clock)
+            found, witness = _by_pairs(found, literal, clock)
     with clock.stage("aspects"):
         found = _with_aspects(found, clock)
     with clock.stage("literal"):
-        literal, proof = _literal(robot.chain, found, witness, options.seed, clock)
+        verdict, proof = _literal(literal, found, witness, options.seed, clock)
     with clock.stage("crosscheck"):
         clock.step("crosscheck", always=True)
         check = _check(robot, found, snapped, witness, options)
@@ -209,7 +230,7 @@ def audit(robot: Robot, options: Options | None = None) -> Audit:
         found,
         found.verdict,
         witness,
-        literal,
+        verdict,
         check,
         clock.seconds,
         options.seed,
@@ -227,8 +248,9 @@ def _decide(robot: Robot, model: ExactModel, clock: Clock) -> Answer:
     except DegenerateMapError as error:
         chain = model.chain
         raise DegenerateMapError(
-            f"{robot.file}: {error}, so {chain.tip} never moves with the {chain.task} "
-            "task's full freedom; choose another tip (--tip), task or joint to lock"
+            f"{robot.file}: {error}, so {chain.tip} never moves with the full freedom "
+            f"of the task {without_virtual_joint(chain).task}; choose another tip "
+            "(--tip), task or joint to lock"
         ) from None
 
 
@@ -319,7 +341,8 @@ def _check(
         literal=literal,
         locked=options.locked,
         path=None if witness is None else list(witness.path),
-        path_is_literal=witness is not None and witness.chain == robot.chain,
+        path_is_literal=literal is None
+        or (witness is not None and witness.chain == literal.chain),
         seed=options.seed,
     )
 
@@ -331,18 +354,6 @@ def _determinant(found: Answer) -> dict[str, Any]:
     return {
         "determinant": str(determinant),
         "factors": [f"({p})^{n}" if n > 1 else str(p) for p, n in factors],
-    }
-
-
-def _shown(witness: Witness, model: str, certificate: str | None) -> dict[str, Any]:
-    path = [[float(v) for v in row] for row in witness.path]
-    return {
-        "sign": witness.sign,
-        "postures": [path[0], path[-1]],
-        "path": path,
-        "clearance": witness.clearance,
-        "model": model,
-        "certificate": certificate,
     }
 
 

@@ -40,9 +40,13 @@ def model_points(model: ExactModel, postures: Array) -> Array:
 def random_postures(
     model: ExactModel, count: int, rng: np.random.Generator, length: float
 ) -> Array:
-    """(count, n) joint values: a full turn each, or a slide within ``length``."""
-    turns = [joint.kind == "revolute" for joint in model.joints]
-    half = np.where(turns, np.pi, length)
+    """(count, n) joint values: a full turn each, or a slide within ``length``.
+
+    A virtual joint stays at 0, where the tip is that of the arm without it.
+    """
+    joints = model.chain.joints
+    half = np.where([joint.kind == "revolute" for joint in joints], np.pi, length)
+    half = np.where([joint.is_virtual for joint in joints], 0.0, half)
     return np.asarray(rng.uniform(-half, half, size=(count, len(half))))
 
 

@@ -34,6 +34,11 @@ def understood(robot: Robot, policy: SnapPolicy = DEFAULT_POLICY) -> dict[str, A
     model = exact_model(snapped_chain)
     entries = _map(model)
     notes = list(robot.notes)
+    if model.chain.joints[-1].is_virtual:
+        number = len(model.joints)
+        notes.append(
+            f"joint {number} of the map is virtual: it turns about the tool axis"
+        )
     if entries["determinant"] == "0":
         notes.append("det J is 0 everywhere: the tip never has the task's full freedom")
     return {

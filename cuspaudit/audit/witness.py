@@ -23,6 +23,7 @@ from cuspaudit.certificate import (
     Certificate,
     CertifiedJoint,
     Rotate,
+    Task,
     Translate,
     Verification,
     verify,
@@ -108,7 +109,7 @@ def certificate_of(chain: Chain, sign: int, path: Array) -> Certificate:
     points = tuple(tuple(Fraction(repr(float(v))) for v in row) for row in path)
     return Certificate(
         robot_name=chain.name,
-        task=chain.task,
+        task=_task(chain),
         unit=chain.unit,
         joints=tuple(
             CertifiedJoint(joint.name, joint.kind, joint.axis, _moves(joint.before))
@@ -120,6 +121,12 @@ def certificate_of(chain: Chain, sign: int, path: Array) -> Certificate:
         path=points,
         made_by=f"cuspaudit {__version__}",
     )
+
+
+def _task(chain: Chain) -> Task:
+    if chain.joints[-1].is_virtual:
+        return "position-and-axis"
+    return "position" if chain.task == "position" else "pose"
 
 
 def _moves(motions: tuple[Motion, ...]) -> tuple[Translate | Rotate, ...]:

@@ -12,6 +12,7 @@ from cuspaudit.certificate.model import (
     CertifiedJoint,
     Motion,
     Rotate,
+    Task,
     Translate,
     check_certificate,
 )
@@ -21,6 +22,7 @@ __all__ = [
     "CertifiedJoint",
     "Motion",
     "Rotate",
+    "Task",
     "Translate",
     "Verification",
     "certificate_from_text",

@@ -117,9 +117,15 @@ class _Proof:
         sign = ">" if self.certificate.sign > 0 else "<"
         count = len(self.certificate.path) - 1
         return (
-            "cuspidal: two distinct postures of one pose, joined by a path with "
-            f"det J {sign} 0 ({count} segment{'s' if count > 1 else ''})"
+            f"cuspidal: two distinct postures of {self._place()}, joined by a path "
+            f"with det J {sign} 0 ({count} segment{'s' if count > 1 else ''})"
         )
+
+    def _place(self) -> str:
+        if self.certificate.task == "position-and-axis":
+            virtual = self.certificate.joints[-1].name
+            return f"one position and tool axis (the last joint, {virtual}, is virtual)"
+        return "one pose"
 
     def _check_ends(self) -> None:
         """Step 1."""

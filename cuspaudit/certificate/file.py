@@ -3,7 +3,8 @@
 ::
 
     {"schema": "cuspaudit/certificate/1",
-     "robot": {"name": "...", "task": "position" | "pose", "unit": "m",
+     "robot": {"name": "...", "unit": "m",
+       "task": "position" | "position-and-axis" | "pose",
        "joints": [{"name": "...", "type": "revolute" | "prismatic",
                    "axis": ["0", "0", "1"], "before": [MOTION, ...]}, ...],
        "tool": [MOTION, ...]},

@@ -36,10 +36,12 @@ __all__ = [
 Vector = tuple[Fraction, Fraction, Fraction]
 Posture = tuple[Fraction, ...]
 JointKind = Literal["revolute", "prismatic"]
-Task = Literal["position", "pose"]
+Task = Literal["position", "position-and-axis", "pose"]
 
-JOINTS_OF_TASK: dict[Task, int] = {"position": 3, "pose": 6}
+JOINTS_OF_TASK: dict[Task, int] = {"position": 3, "position-and-axis": 6, "pose": 6}
 """The number of joints that makes the Jacobian matrix of each task square."""
+
+TASKS = " or ".join(f'"{task}"' for task in JOINTS_OF_TASK)
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,7 +84,11 @@ class Certificate:
 
     Attributes:
         robot_name: for the reader; the proof does not use it.
-        task: "position" (3 joints) or "pose" (6 joints).
+        task: "position" (3 joints), "pose" (6), or "position-and-axis" (6): then the
+            last joint is virtual, a turn about the tool axis through the tip. The
+            claim is about the five others, the position of the tip and the direction
+            of that axis: a pose of six joints is this task's place and one angle, and
+            the virtual joint's value is known from them, so both claims are the same.
         unit: unit of every length, for the reader.
         joints: base to tip.
         tool: the fixed transform after the last joint.
@@ -126,7 +132,7 @@ _Misfits = Iterator[tuple[str, str, str]]
 def _misfits(certificate: Certificate) -> _Misfits:
     """Each misfit as (where, found, expected)."""
     if certificate.task not in JOINTS_OF_TASK:
-        yield "robot.task", repr(certificate.task), 'use "position" or "pose"'
+        yield "robot.task", repr(certificate.task), f"use {TASKS}"
         return
     joints, needed = certificate.joints, JOINTS_OF_TASK[certificate.task]
     if len(joints) != needed:
@@ -135,6 +141,8 @@ def _misfits(certificate: Certificate) -> _Misfits:
     for index, joint in enumerate(joints):
         yield from _joint_misfits(joint, f"robot.joints[{index}]")
     yield from _motion_misfits(certificate.tool, "robot.tool")
+    if certificate.task == "position-and-axis":
+        yield from _virtual_misfits(certificate)
     if certificate.sign not in (1, -1):
         yield "sign", repr(certificate.sign), "use 1 or -1"
     if len(certificate.postures) != 2:
@@ -144,6 +152,14 @@ def _misfits(certificate: Certificate) -> _Misfits:
     for key, rows in (("postures", certificate.postures), ("path", certificate.path)):
         for index, row in enumerate(rows):
             yield from _row_misfits(row, needed, f"{key}[{index}]")
+
+
+def _virtual_misfits(certificate: Certificate) -> _Misfits:
+    if certificate.joints and certificate.joints[-1].kind != "revolute":
+        expected = "the virtual joint, which is the last, turns about the tool axis"
+        yield f"robot.joints[{len(certificate.joints) - 1}].type", "a slide", expected
+    if certificate.tool:
+        yield "robot.tool", "a transform", "the tip lies on the virtual joint: give []"
 
 
 def _joint_misfits(joint: CertifiedJoint, where: str) -> _Misfits:

@@ -29,7 +29,7 @@ def open_named(
         name: a file, or a name of the library.
         base: base link of a URDF.
         tip: tip link of a URDF.
-        task: "position" or "pose".
+        task: a name in `kinematics.task.DIMENSIONS`.
         lock: entries JOINT=VALUE.
         convention: D-H convention of a CSV that does not say.
         angle_unit: unit of bare angles in a D-H table.

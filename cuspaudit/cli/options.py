@@ -53,7 +53,12 @@ Base = Annotated[str | None, typer.Option(help="Base link of a URDF.")]
 Tip = Annotated[str | None, typer.Option(help="Tip link of a URDF.")]
 TaskName = Annotated[
     str | None,
-    typer.Option("--task", help="position (3 joints) or pose (6 joints)."),
+    typer.Option(
+        "--task",
+        metavar="TASK",
+        help="position (3 joints), position-and-z-axis (5: the tip's z axis is the "
+        "tool's; x and y likewise) or pose (6).",
+    ),
 ]
 Lock = Annotated[
     list[str] | None,

@@ -61,13 +61,14 @@ def page_text(record: Mapping[str, Any], result: Audit, proof: str | None) -> st
     from cuspaudit.kinematics.visuals import visuals
     from cuspaudit.viz import build_scene, render_page, sample_path, sample_postures
 
-    chain: Chain = result.chain
+    chain: Chain = result.shown_chain
+    own = len(chain.joints)
     if result.witness is not None:
-        chain = result.witness.chain
-        frames = sample_path(chain, result.witness.path.tolist())
+        frames = sample_path(chain, result.witness.path[:, :own].tolist())
     else:
         shown = shown_postures(result.answer, result.seed)
-        frames = sample_postures(chain, shown.postures, shown.aspects)
+        rows = [posture[:own] for posture in shown.postures]
+        frames = sample_postures(chain, rows, shown.aspects)
     share = example_robot_data()
     shapes = (
         visuals(result.robot, [share] if share else []) if result.robot.urdf else ()

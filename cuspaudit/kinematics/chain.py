@@ -32,7 +32,13 @@ __all__ = [
 
 Vector = tuple[Fraction, Fraction, Fraction]
 JointKind = Literal["revolute", "prismatic"]
-Task = Literal["position", "pose"]
+Task = Literal[
+    "position",
+    "position-and-x-axis",
+    "position-and-y-axis",
+    "position-and-z-axis",
+    "pose",
+]
 
 X_AXIS: Vector = (Fraction(1), Fraction(0), Fraction(0))
 Y_AXIS: Vector = (Fraction(0), Fraction(1), Fraction(0))
@@ -107,6 +113,7 @@ class Joint:
         before: the fixed transform from the previous joint's moved frame.
         axis: direction of the joint axis, not zero, not necessarily unit.
         limits: lower and upper value, or None when the joint has none.
+        is_virtual: whether no motor makes it (`virtual_joint`).
     """
 
     name: str
@@ -114,6 +121,7 @@ class Joint:
     before: tuple[Motion, ...] = ()
     axis: Vector = Z_AXIS
     limits: tuple[Angle, Angle] | tuple[Fraction, Fraction] | None = None
+    is_virtual: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -124,7 +132,9 @@ class Chain:
         name: the robot's name.
         joints: base to tip; at least one.
         tool: the fixed transform after the last joint.
-        task: "position" (three equations) or "pose" (six).
+        task: what of the tip is to be reached: its position (three equations),
+            position and the direction of one axis of its frame (five,
+            `virtual_joint`), or its pose (six).
         base: name of the base link or frame.
         tip: name of the tip link or frame.
         unit: unit of every length, "m" or "mm".

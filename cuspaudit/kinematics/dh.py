@@ -62,7 +62,7 @@ def read_dh(
 
     Args:
         path: the file.
-        task: "position" or "pose", instead of the file's.
+        task: a name in `kinematics.task.DIMENSIONS`, instead of the file's.
         convention: "standard" or "modified", where the file does not say.
         angle_unit: "rad" or "deg" of bare angles, where the file does not say.
 

@@ -33,6 +33,7 @@ from cuspaudit.kinematics.transform import (
     turn,
     zero,
 )
+from cuspaudit.kinematics.virtual_joint import with_virtual_joint
 
 __all__ = ["Approximation", "ExactJoint", "ExactModel", "exact_model"]
 
@@ -109,12 +110,13 @@ class ExactModel:
 
 
 def exact_model(chain: Chain, tolerance: Fraction = TOLERANCE) -> ExactModel:
-    """The exact model of ``chain``.
+    """The exact model of ``chain``, with its virtual joint if its task asks for one.
 
     Args:
         chain: any chain.
         tolerance: how far, in rad, an angle or an axis may be moved to a rational one.
     """
+    chain = with_virtual_joint(chain)
     plan = [_absorb(joint) for joint in chain.joints]
     rest = [motion for joint, _ in plan for motion in joint.before]
     ring = Ring(_variables(chain), _radicand(chain, [*rest, *chain.tool]))

@@ -14,6 +14,7 @@ from cuspaudit.errors import UnableError
 from cuspaudit.kinematics.exact_model import ExactModel
 from cuspaudit.kinematics.numbers import format_angle
 from cuspaudit.kinematics.polynomial_map import jacobian_determinant, polynomial_map
+from cuspaudit.kinematics.virtual_joint import without_virtual_joint
 
 __all__ = [
     "InverseKinematics",
@@ -100,7 +101,8 @@ def msolve_system(model: ExactModel, seed: int = 0) -> str:
 
 def _lines(model: ExactModel) -> Iterator[str]:
     mapping = polynomial_map(model)
-    yield f"# {model.chain.name}: {model.chain.task} of {model.chain.tip}"
+    task = without_virtual_joint(model.chain).task
+    yield f"# {model.chain.name}: {task} of {model.chain.tip}"
     yield from (f"# {line}" for line in _variables(model))
     for approximation in model.approximations:
         yield f"# {approximation.where}: within {approximation.difference:g} rad"
@@ -123,6 +125,8 @@ def _lines(model: ExactModel) -> Iterator[str]:
 
 def _variables(model: ExactModel) -> Iterator[str]:
     for number, joint in enumerate(model.joints, 1):
+        if model.chain.joints[number - 1].is_virtual:
+            yield f"joint {number} is virtual: it turns about the tool axis"
         if joint.kind == "prismatic":
             yield f"{joint.variables[0]} = displacement of joint {number}, {joint.name}"
             continue

@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cuspaudit.kinematics.chain import Angle, Chain, Motion, Translation, Vector
+from cuspaudit.kinematics.virtual_joint import TOOL_AXES
 
 __all__ = ["angle_value", "frames", "jacobian", "transform"]
 
@@ -61,10 +62,11 @@ def frames(chain: Chain, posture: Sequence[float] | Matrix) -> Matrix:
 
 
 def jacobian(chain: Chain, posture: Sequence[float] | Matrix) -> Matrix:
-    """The geometric Jacobian at ``posture``: (3, n) for a position task, else (6, n).
+    """The geometric Jacobian at ``posture``, one row a dimension of the task.
 
-    Rows are the linear velocity of the tip's origin, then (pose task only) the angular
-    velocity, both in base coordinates.
+    Rows are the linear velocity of the tip's origin, in base coordinates, then for a
+    pose the angular velocity, for a tool axis its parts along the two other axes of the
+    tip's frame.
     """
     placed = frames(chain, posture)
     point = placed[-1, :3, 3]
@@ -76,7 +78,13 @@ def jacobian(chain: Chain, posture: Sequence[float] | Matrix) -> Matrix:
         else:
             columns.append(np.r_[axis, np.zeros(3)])
     full = np.array(columns).T
-    return full[:3] if chain.task == "position" else full
+    if chain.task == "position":
+        return full[:3]
+    if chain.task in TOOL_AXES:
+        x = TOOL_AXES[chain.task].index(1)
+        others = placed[-1][:3, [(x + 1) % 3, (x + 2) % 3]]
+        return np.vstack([full[:3], others.T @ full[3:]])
+    return full
 
 
 @lru_cache(maxsize=512)

@@ -29,7 +29,8 @@ def read_robot(
         path: a .urdf, .yaml, .yml, .json or .csv file.
         base: a link of the URDF; by default its root.
         tip: a link of the URDF; by default its only end.
-        task: "position" or "pose"; by default by the number of joints.
+        task: a name in `kinematics.task.DIMENSIONS`; by default the one for so many
+            joints.
         convention: "standard" or "modified", for a table that does not say.
         angle_unit: "rad" or "deg", for a table that does not say.
 

@@ -25,6 +25,7 @@ from cuspaudit.kinematics.lines import (
     minus,
     vanishes,
 )
+from cuspaudit.kinematics.virtual_joint import with_virtual_joint
 
 __all__ = ["relations"]
 
@@ -35,19 +36,22 @@ _TWISTS = ("are square", "stand at 60 deg", "stand at 45 deg", "stand at 30 deg"
 def relations(chain: Chain) -> frozenset[str]:
     """The sentences that hold of ``chain``, axes counted from 1 at the base.
 
+    The last axis is the tool axis where that belongs to the task.
+
     >>> from fractions import Fraction
     >>> from cuspaudit.kinematics.chain import X_AXIS, Joint
     >>> joints = (Joint("a", "revolute"), Joint("b", "revolute", (), X_AXIS))
     >>> sorted(relations(Chain("arm", joints)))[:2]
     ['axes 1 and 2 are square', 'axes 1 and 2 meet']
     """
+    chain = with_virtual_joint(chain)
     with ctx.workprec(BITS):
         lines, tip = axis_lines(chain)
         axis = lines[0].direction
         found = {f"axis 1 and z of the base {w}" for w in _twist(_UP, axis)}
         for k, (line, after) in enumerate(pairwise(lines), 1):
             found |= {f"axes {k} and {k + 1} {word}" for word in _pair(line, after)}
-        for first, last in _level(lines, tip if chain.task == "position" else None):
+        for first, last in _level(lines, None if chain.task == "pose" else tip):
             if "prismatic" not in chain.kinds[first - 1 : last]:
                 found.add(_no_offset(first, last, found))
     return frozenset(found)

@@ -24,7 +24,7 @@ __all__ = ["Table", "read_mapping", "read_table", "table_from_mapping"]
 _MOST_BYTES = 1_000_000
 _MOST_DEPTH = 8
 _MOST_ROWS = 5000
-_SETTING = re.compile(r"\b(convention|angles|lengths|task)\s*=\s*(\w+)")
+_SETTING = re.compile(r"\b(convention|angles|lengths|task)\s*=\s*([\w-]+)")
 
 
 @dataclass(frozen=True, slots=True)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from fractions import Fraction
 
@@ -34,12 +34,19 @@ __all__ = [
 
 _TURN = 2 * math.pi
 
-DIMENSIONS: dict[Task, int] = {"position": 3, "pose": 6}
+DIMENSIONS: dict[Task, int] = {
+    "position": 3,
+    "position-and-x-axis": 5,
+    "position-and-y-axis": 5,
+    "position-and-z-axis": 5,
+    "pose": 6,
+}
+_OF_JOINTS: dict[int, Task] = {5: "position-and-z-axis"}
 
 
 def default_task(joints: int) -> Task:
     """The task of a chain of ``joints`` joints when the file names none."""
-    return "position" if joints < 6 else "pose"
+    return _OF_JOINTS.get(joints, "position" if joints < 6 else "pose")
 
 
 def parse_task(text: str, place: Place) -> Task:
@@ -70,20 +77,23 @@ def check_task(chain: Chain, file: str | None = None) -> None:
         return
     count = "1 joint" if joints == 1 else f"{joints} joints"
     found = f"{count} for a {chain.task} task of {dimension} dimensions"
-    names = listing([joint.name for joint in chain.joints])
-    if joints > dimension:
-        expected = f"lock {joints - dimension} of {names} by --lock JOINT=VALUE"
-        if joints == 6:
-            expected += ", or give --task pose"
-    elif joints == 3:
-        expected = "give --task position"
-    elif 3 < joints < 6:
-        expected = f"lock {joints - 3} of {names} and give --task position"
-    else:
-        expected = "an arm of at least 3 moving joints is needed; choose another tip"
     raise InvalidRobotError(
-        file=file or quoted(chain.name), found=found, expected=expected
+        file=file or quoted(chain.name),
+        found=found,
+        expected=" or ".join(_remedies(chain)),
     )
+
+
+def _remedies(chain: Chain) -> Iterator[str]:
+    """What makes the task of a chain square: another task, or joints to lock."""
+    joints, dimension = len(chain.joints), DIMENSIONS[chain.task]
+    if joints in DIMENSIONS.values():
+        yield f"give --task {default_task(joints)}"
+    if joints > dimension:
+        names = listing([joint.name for joint in chain.joints])
+        yield f"lock {joints - dimension} of {names} by --lock JOINT=VALUE"
+    if joints < 3:
+        yield "an arm of at least 3 moving joints is needed; choose another tip"
 
 
 def check_limits(chain: Chain, place: Place) -> list[str]:

@@ -47,7 +47,8 @@ def read_urdf(
         path: the file.
         base: a link; by default the root.
         tip: a link; by default the only end there is.
-        task: "position" or "pose"; by default the pose from six joints on.
+        task: a name in `kinematics.task.DIMENSIONS`; by default the
+            one for so many joints.
 
     Raises:
         InvalidRobotError: the file is not a URDF with such a chain, or base or tip
@@ -97,16 +98,17 @@ def _one_of(
 ) -> tuple[Chain, list[str]]:
     """The only chain, or the one with the most fixed joints after the last moving one.
 
-    Where the task is a position, its verdict depends on the point; then the tips must
-    coincide.
+    Unless the task is a pose, its verdict depends on the point, and may depend on the
+    axes of its frame; then the tips must coincide.
     """
     chain, remarks = max(
         chains, key=lambda pair: len(tree.path(pair[0].base, pair[0].tip) or ())
     )
     if len(chains) > 1:
         tips = [other.tip for other, _ in chains]
-        points = np.array([transform(other.tool)[:3, 3] for other, _ in chains])
-        if chain.task == "position" and float(np.ptp(points, axis=0).max()) > 1e-12:
+        placed = np.array([transform(other.tool) for other, _ in chains])
+        seen = placed[:, :3, 3] if chain.task == "position" else placed
+        if chain.task != "pose" and float(np.ptp(seen, axis=0).max()) > 1e-12:
             raise _several(tree, chain.base, tips)
         remarks.append(f"tip {quoted(chain.tip)} taken among {listing(tips)}")
     return chain, remarks

@@ -196,15 +196,15 @@ def _draw_ground(commands: CommandList, outlook: Outlook) -> None:
 def _draw_target(
     commands: CommandList, chain: Chain, shown: PathFrames, scale: float
 ) -> None:
-    """The place the tool has at both ends: three rings, and axes for a pose."""
+    """The place the tool has at both ends: three rings, and the axes it keeps."""
     place = shown.tips[0].copy()
     place[:3, 3] *= scale
     commands.transform("target", place)
     for axis in np.eye(3):
         circle = ring(axis, 0.052, 0.0028)
         commands.triangles("target", circle, TARGET)
-    if chain.task == "pose":
-        for piece in triad(-1, np.eye(4), 0.15, 0.0028):
+    for piece in triad(-1, np.eye(4), 0.15, 0.0028):
+        if chain.task in ("pose", f"position-and-{piece.role}-axis"):
             commands.piece("target", piece, COLOURS[piece.role])
 
 

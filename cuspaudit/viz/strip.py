@@ -153,7 +153,7 @@ def _apart(ticks: list[Tick], zero: float) -> tuple[Tick, ...]:
 def _unit(chain: Chain) -> str:
     """The unit of det J: each length in it comes from a turning joint's arm."""
     slides = sum(kind == "prismatic" for kind in chain.kinds)
-    power = (len(chain.joints) if chain.task == "position" else 3) - slides
+    power = 3 - slides
     raised = {0: "", 1: chain.unit, 2: f"{chain.unit}²", 3: f"{chain.unit}³"}
     return raised.get(power, f"{chain.unit}^{power}")
 

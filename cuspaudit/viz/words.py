@@ -87,8 +87,10 @@ def verdict_words(audit: Audit) -> VerdictWords:
     verdict = verdict if verdict in VERDICTS else "undecided"
     robot = part(audit, "robot")
     name = str(robot.get("name") or "This system")
-    pose = robot.get("task") != "position"
-    place = "position and orientation" if pose else "position"
+    task = str(robot.get("task"))
+    place = "position" if task == "position" else "position and orientation"
+    if task.endswith("-axis"):
+        place = f"position with its {task.split('-')[2]} axis in the same direction"
     sentences = {
         "cuspidal": (
             "It can change posture without meeting a singularity.",

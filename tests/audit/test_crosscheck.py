@@ -20,6 +20,7 @@ from cuspaudit.kinematics.chain import (
     Joint,
     Motion,
     Rotation,
+    Task,
     Translation,
 )
 from cuspaudit.kinematics.exact_model import exact_model
@@ -27,6 +28,7 @@ from cuspaudit.kinematics.polynomial_map import jacobian_determinant
 from cuspaudit.kinematics.snapping import snap
 from cuspaudit.kinematics.task import lock
 from cuspaudit.kinematics.urdf import read_urdf
+from cuspaudit.kinematics.virtual_joint import TOOL_AXES
 
 ChainOf = Callable[[str], Chain]
 
@@ -94,6 +96,13 @@ def test_the_seed_is_kept_and_repeats_the_check(chain_of: ChainOf) -> None:
     assert results[0] == results[1]
     assert results[0].max_relative_error != results[2].max_relative_error
     assert results[2].seed == 5
+
+
+@pytest.mark.parametrize("task", TOOL_AXES)
+def test_each_tool_axis_agrees(chain_of: ChainOf, task: Task) -> None:
+    """Det J of six joints, one virtual, is that of Pinocchio's five."""
+    chain = replace(chain_of("chablat-2022-5r"), task=task)
+    assert crosscheck(exact_model(chain)).max_relative_error <= 2e-12
 
 
 def test_a_wrong_sign_of_one_length_is_noticed(seven: Path) -> None:

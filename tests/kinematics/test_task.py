@@ -54,7 +54,7 @@ def test_locks_that_cannot_be(
 
 
 def test_the_task_has_to_be_square() -> None:
-    """Three joints have a position, six a pose; others are told what to lock."""
+    """Each task fits one number of joints; others are told what to lock or to ask."""
     check_task(lock(ARM, {"j2": "0"}))
     with pytest.raises(InvalidRobotError, match=r'lock 1 of "j1", .* by --lock'):
         check_task(ARM)
@@ -62,4 +62,7 @@ def test_the_task_has_to_be_square() -> None:
         check_task(ARM.with_joints(JOINTS[:1]))
     with pytest.raises(InvalidRobotError, match="give --task position"):
         check_task(replace(ARM.with_joints(JOINTS[:3]), task="pose"))
-    assert [default_task(n) for n in (3, 5, 6, 7)] == ["position"] * 2 + ["pose"] * 2
+    with pytest.raises(InvalidRobotError, match="give --task position-and-z-axis or"):
+        check_task(ARM.with_joints([*JOINTS, replace(JOINTS[0], name="j5")]))
+    assert [default_task(n) for n in (3, 6, 7)] == ["position", "pose", "pose"]
+    assert default_task(5) == "position-and-z-axis"
