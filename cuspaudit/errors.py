@@ -11,6 +11,7 @@
       AssumptionError          a hypothesis fails here: no answer exists by this route
         NotSquareError
         DegenerateMapError
+        NoAngleError
         NotOnVarietyError
         NotZeroDimensionalError
         NotRadicalError
@@ -38,6 +39,7 @@ __all__ = [
     "InvalidInputError",
     "InvalidRobotError",
     "InvalidSystemError",
+    "NoAngleError",
     "NotEquidimensionalError",
     "NotOnVarietyError",
     "NotRadicalError",
@@ -141,6 +143,25 @@ class NotOnVarietyError(AssumptionError):
 
 class DegenerateMapError(AssumptionError):
     """The map is singular everywhere: det J vanishes identically."""
+
+
+class NoAngleError(AssumptionError):
+    """The axes share no direction about which the tip would have an angle.
+
+    Attributes:
+        joints: their names.
+    """
+
+    def __init__(self, joints: tuple[str, ...], file: str = "") -> None:
+        """Say which axes would have to be parallel, and what to lock."""
+        self.joints = joints
+        super().__init__(
+            (f"{file}: " if file else "")
+            + "the tip has no angle, because neither all axes that turn are parallel "
+            "(a SCARA), nor the last three, at right angles to the first (yaw and "
+            f"pitch); lock one of {', '.join(joints)} by --lock JOINT=VALUE, which "
+            "leaves the task position"
+        )
 
 
 class NotZeroDimensionalError(AssumptionError):

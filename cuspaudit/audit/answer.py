@@ -21,7 +21,12 @@ from cuspaudit.errors import (
 )
 from cuspaudit.kinematics.exact_model import ExactModel
 from cuspaudit.kinematics.polynomial_map import jacobian_determinant, reduced_map
-from cuspaudit.kinematics.reductions import LOOKED_FOR, Reduction, reduce_six_joints
+from cuspaudit.kinematics.reductions import (
+    LOOKED_FOR,
+    Reduction,
+    reduce_four_joints,
+    reduce_six_joints,
+)
 from cuspaudit.surface.cusps import Count, cusps
 from cuspaudit.surface.nodes import nodes
 
@@ -101,26 +106,30 @@ def answer(
     A three-joint position task runs Algorithm 1 on the reduced map [DESIGN 5], or is
     decided by its pairs of postures where that is unable; a six-joint pose task is
     reduced to one, or settled by a theorem, when it can be [DESIGN 6.1]. Five joints
-    with a tool axis are six with a virtual one. What is out of reach is UNDECIDED.
+    with a tool axis are six with a virtual one; four with a position and an angle are
+    settled by a theorem. What is out of reach is UNDECIDED.
 
     Args:
-        model: of a chain of three or six joints, a virtual one included.
+        model: of a chain of three, four or six joints, a virtual one included.
         progress: called with the name of each step before it runs.
         engine: "routing" has the verdict of Algorithm 1 found again by the second
             route to connectivity; without its agreement there is none. "pairs"
             decides three joints by their pairs of postures [DESIGN 6.4].
 
     Raises:
-        AssumptionError: a hypothesis fails for this arm (det J vanishes identically).
+        AssumptionError: a hypothesis fails for this arm (det J vanishes identically,
+            or the tip has no angle).
         CrossCheckError: the two routes disagree.
     """
     three = _by_pairs if engine == "pairs" else _three_joints
     try:
-        found = (
-            three(model, progress)
-            if model.chain.task == "position"
-            else _six_joints(model, progress, three)
-        )
+        match model.chain.task:
+            case "position":
+                found = three(model, progress)
+            case "position-and-angle":
+                found = _four_joints(model, progress)
+            case _:
+                found = _six_joints(model, progress, three)
         if engine == "routing" and found.decision is not None:
             return _confirmed(found, found.decision, progress)
         return found
@@ -207,6 +216,12 @@ def _sentence(decision: SurfaceDecision) -> str:
     )
 
 
+def _four_joints(model: ExactModel, progress: Progress) -> Answer:
+    progress("reductions")
+    _check_regular(model)
+    return _noncuspidal(model, reduce_four_joints(model))
+
+
 def _six_joints(
     model: ExactModel,
     progress: Progress,
@@ -215,8 +230,7 @@ def _six_joints(
     progress("reductions")
     reduction = _named(model, reduce_six_joints(model))
     if reduction is None:
-        if jacobian_determinant(model) == 0:
-            raise DegenerateMapError("det J vanishes at every posture")
+        _check_regular(model)
         return _undecided(
             model,
             "reductions",
@@ -226,16 +240,7 @@ def _six_joints(
             aspects=count_aspects(model),
         )
     if reduction.regional is None:
-        return Answer(
-            model,
-            Verdict.NONCUSPIDAL,
-            reduction.why,
-            ("exact tests of the hypotheses",),
-            reduction,
-            aspects=Count(reduction.aspects, True)
-            if reduction.aspects
-            else count_aspects(model),
-        )
+        return _noncuspidal(model, reduction)
     regional = three(reduction.regional, progress)
     aspects, postures = _twice(regional.aspects), _twice(regional.postures)
     if regional.verdict is Verdict.CUSPIDAL and not reduction.is_equivalent:
@@ -260,6 +265,25 @@ def _six_joints(
 def _twice(regional: Count | None) -> Count | None:
     """The number for the six-joint arm: its wrist has two sides."""
     return replace(regional, count=2 * regional.count) if regional else None
+
+
+def _check_regular(model: ExactModel) -> None:
+    if jacobian_determinant(model) == 0:
+        raise DegenerateMapError("det J vanishes at every posture")
+
+
+def _noncuspidal(model: ExactModel, reduction: Reduction) -> Answer:
+    """The answer of a theorem that needs no smaller arm."""
+    aspects, postures = reduction.aspects, reduction.postures
+    return Answer(
+        model,
+        Verdict.NONCUSPIDAL,
+        reduction.why,
+        ("exact tests of the hypotheses",),
+        reduction,
+        aspects=Count(aspects, True) if aspects else count_aspects(model),
+        postures=Count(postures, True) if postures else None,
+    )
 
 
 def _named(model: ExactModel, reduction: Reduction | None) -> Reduction | None:

@@ -1,4 +1,4 @@
-"""The aspects of a six-joint arm, counted exactly and told apart.
+"""The aspects of an arm of four or six joints, counted exactly and told apart.
 
 det J depends on joints 2 to 5 only, so the aspects of the arm are the components of
 {det J != 0} on their torus, times the circles of the first and the last joint. For
@@ -12,6 +12,7 @@ from __future__ import annotations
 from cuspaudit.errors import UnableError
 from cuspaudit.geometry.torus_components import TorusComponents, torus_components
 from cuspaudit.kinematics.exact_model import ExactModel
+from cuspaudit.kinematics.export import circle_names
 from cuspaudit.kinematics.polynomial_map import jacobian_determinant
 from cuspaudit.surface.cusps import Count
 
@@ -21,7 +22,9 @@ __all__ = ["aspect_components", "count_aspects", "revolute_circles"]
 def aspect_components(
     model: ExactModel, timeout: float | None = None
 ) -> TorusComponents:
-    """The aspects of an arm with revolute joints and a square task.
+    """The aspects of an arm with a square task.
+
+    A joint that slides adds a line, which changes nothing while det J is free of it.
 
     Args:
         model: the arm.
@@ -29,11 +32,15 @@ def aspect_components(
 
     Raises:
         DegenerateMapError: det J vanishes identically.
-        UnableError: det J is linear along no circle and no cover settles it, or a
-            joint is prismatic.
+        UnableError: det J is linear along no circle and no cover settles it, or it
+            depends on a joint that slides.
     """
-    circles = revolute_circles(model)
     determinant = jacobian_determinant(model)
+    degrees, index = determinant.degrees(), model.ring.context.variable_to_index
+    for joint in model.joints:
+        if joint.kind == "prismatic" and degrees[index(joint.variables[0])]:
+            raise UnableError("aspects", f"det J depends on {joint.name}, which slides")
+    circles = circle_names(model)
     return torus_components(model.ring, circles, determinant, timeout)
 
 

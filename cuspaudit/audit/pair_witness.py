@@ -46,6 +46,7 @@ def needs_pairs(found: Answer) -> bool:
         undecided is not None
         and undecided.step in ("reductions", "pairs")
         and "prismatic" not in chain.kinds
+        and chain.task in ("position", "pose")
     )
 
 

@@ -52,7 +52,8 @@ class Placed:
     Attributes:
         pose: (4, 4) tip frame in the base frame.
         jacobian: velocity of the tip's origin in the axes of the base frame; then for
-            a pose the angular velocity, for a tool axis its two parts across that.
+            a pose the angular velocity, for a tool axis its two parts across that,
+            for an angle its part along the last axis that turns.
     """
 
     pose: Array
@@ -113,14 +114,16 @@ class PinocchioArm:
         pose = np.array((base.inverse() * tip).homogeneous)
         back = np.array(base.rotation).T
         turning = back @ full[3:]
-        rows = _turning_rows(self.chain.task, pose[:3, :3])
+        rows = _turning_rows(self.chain.task, pose[:3, :3], turning)
         return Placed(pose, np.vstack([back @ full[:3], rows @ turning]))
 
 
-def _turning_rows(task: Task, rotation: Array) -> Array:
+def _turning_rows(task: Task, rotation: Array, turning: Array) -> Array:
     """(k, 3) directions about which the task sees the tip turn."""
     if task == "position":
         return np.zeros((0, 3))
+    if task == "position-and-angle":
+        return np.asarray(turning[:, np.abs(turning).any(axis=0)].T[-1:])
     turned = {"position-and-x-axis": "yz", "position-and-y-axis": "zx"}
     if task == "position-and-z-axis" or task in turned:
         columns = ["xyz".index(letter) for letter in turned.get(task, "xy")]

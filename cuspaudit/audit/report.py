@@ -18,10 +18,16 @@ from cuspaudit.audit.six_joint_witness import HAIR_POSES, needs_search, searched
 from cuspaudit.audit.versions import versions
 from cuspaudit.audit.witness import Witness, find_witness
 from cuspaudit.cuspidality.verdict import Verdict
-from cuspaudit.errors import AssumptionError, DegenerateMapError, UnableError
+from cuspaudit.errors import (
+    AssumptionError,
+    DegenerateMapError,
+    NoAngleError,
+    UnableError,
+)
 from cuspaudit.kinematics.chain import Angle, Chain
 from cuspaudit.kinematics.exact_model import ExactModel, exact_model
 from cuspaudit.kinematics.export import circle_names
+from cuspaudit.kinematics.neighbors import coincide, parallel
 from cuspaudit.kinematics.polynomial_map import jacobian_determinant
 from cuspaudit.kinematics.robot import Robot
 from cuspaudit.kinematics.snap_policy import DEFAULT_POLICY, SnapPolicy
@@ -245,13 +251,25 @@ def _decide(robot: Robot, model: ExactModel, clock: Clock) -> Answer:
         found = answer(model, clock.step, clock.engine)
         by_pairs = found.by_pairs is not None or model.chain.task == "position"
         return found if by_pairs or clock.engine != "pairs" else not_asked(model)
+    except NoAngleError as error:
+        raise NoAngleError(error.joints, robot.file) from None
     except DegenerateMapError as error:
-        chain = model.chain
+        chain = without_virtual_joint(model.chain)
         raise DegenerateMapError(
             f"{robot.file}: {error}, so {chain.tip} never moves with the full freedom "
-            f"of the task {without_virtual_joint(chain).task}; choose another tip "
-            "(--tip), task or joint to lock"
+            f"of the task {chain.task}; {_remedy(model)}"
         ) from None
+
+
+def _remedy(model: ExactModel) -> str:
+    """What to ask instead of a task in which det J vanishes everywhere."""
+    *_, last, tool = model.chain.joints
+    if tool.is_virtual and parallel(model, 5) and coincide(model, 5):
+        return (
+            f"{last.name} turns about the tool axis itself: choose another axis of the "
+            f"tip, or lock it (--lock {last.name}=0), which leaves position-and-angle"
+        )
+    return "choose another tip (--tip), task or joint to lock"
 
 
 def _by_pairs(
@@ -265,12 +283,12 @@ def _by_pairs(
 
 
 def _with_aspects(found: Answer, clock: Clock) -> Answer:
-    """With the aspects of a six-joint arm counted by covers, in a third of the time.
+    """With the aspects on a torus counted by covers, in a third of the time.
 
     Without a time limit none are made: a cover may take minutes.
     """
     seconds = clock.left
-    if found.aspects is not None or not seconds or len(found.model.joints) != 6:
+    if found.aspects is not None or not seconds or len(found.model.joints) == 3:
         return found
     clock.step("aspects")
     # one cover for each sign of det J, and as much for what follows

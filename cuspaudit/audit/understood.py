@@ -8,13 +8,13 @@ from fractions import Fraction
 from typing import Any
 
 from cuspaudit.algebra.trigonometric import factor_on_circles
-from cuspaudit.errors import UnableError
+from cuspaudit.errors import NoAngleError, UnableError
 from cuspaudit.kinematics.chain import Angle, Motion
 from cuspaudit.kinematics.exact_model import ExactModel, exact_model
 from cuspaudit.kinematics.export import circle_names
 from cuspaudit.kinematics.motion_text import format_motion, format_vector
 from cuspaudit.kinematics.numbers import format_angle, format_rational
-from cuspaudit.kinematics.polynomial_map import jacobian_determinant, polynomial_map
+from cuspaudit.kinematics.polynomial_map import circles, jacobian_determinant, place
 from cuspaudit.kinematics.robot import Robot
 from cuspaudit.kinematics.snap_policy import DEFAULT_POLICY, SnapPolicy
 from cuspaudit.kinematics.snapping import snap
@@ -25,9 +25,9 @@ __all__ = ["understood"]
 def understood(robot: Robot, policy: SnapPolicy = DEFAULT_POLICY) -> dict[str, Any]:
     """The literal chain in exact text, what snapping changes, and the map.
 
-    The polynomial map is that of the snapped chain: f, R (the tip's position, then for
-    a pose the nine entries of its rotation) and, when the task has as many dimensions
-    as there are joints, det J with its factors.
+    The polynomial map is that of the snapped chain: f, R (`polynomial_map.place`; none
+    where the tip has no angle) and, when the task has as many dimensions as there are
+    joints, det J with its factors.
     """
     chain = robot.chain
     snapped_chain, snapped = snap(chain, policy)
@@ -70,20 +70,17 @@ def understood(robot: Robot, policy: SnapPolicy = DEFAULT_POLICY) -> dict[str, A
 
 
 def _map(model: ExactModel) -> dict[str, Any]:
-    found = polynomial_map(model)
-    components = found.position.components
-    if model.chain.task == "pose":
-        components += found.rotation.components
     entries: dict[str, Any] = {
         "ring": repr(model.ring),
-        "f": [str(p) for p in found.variety.equations],
-        "R": [str(p) for p in components],
+        "f": [str(p) for p in circles(model.ring, model.joints)],
+        "R": [],
         "determinant": None,
         "factors": [],
     }
     try:
+        entries["R"] = [str(p) for p in place(model)]
         determinant = jacobian_determinant(model)
-    except UnableError:
+    except (NoAngleError, UnableError):
         return entries
     factors = factor_on_circles(model.ring, circle_names(model), determinant)
     entries["determinant"] = str(determinant)

@@ -56,8 +56,9 @@ TaskName = Annotated[
     typer.Option(
         "--task",
         metavar="TASK",
-        help="position (3 joints), position-and-z-axis (5: the tip's z axis is the "
-        "tool's; x and y likewise) or pose (6).",
+        help="position (3 joints), position-and-angle (4: a SCARA, or yaw and three "
+        "pitches), position-and-z-axis (5: the tip's z axis is the tool's; x and y "
+        "likewise) or pose (6).",
     ),
 ]
 Lock = Annotated[

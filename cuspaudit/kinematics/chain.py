@@ -34,6 +34,7 @@ Vector = tuple[Fraction, Fraction, Fraction]
 JointKind = Literal["revolute", "prismatic"]
 Task = Literal[
     "position",
+    "position-and-angle",
     "position-and-x-axis",
     "position-and-y-axis",
     "position-and-z-axis",
@@ -133,8 +134,8 @@ class Chain:
         joints: base to tip; at least one.
         tool: the fixed transform after the last joint.
         task: what of the tip is to be reached: its position (three equations),
-            position and the direction of one axis of its frame (five,
-            `virtual_joint`), or its pose (six).
+            position and angle (four, `four_joints`), position and direction of one
+            axis of its frame (five, `virtual_joint`), or its pose (six).
         base: name of the base link or frame.
         tip: name of the tip link or frame.
         unit: unit of every length, "m" or "mm".

@@ -13,7 +13,12 @@ from cuspaudit.algebra.trigonometric import factor_on_circles
 from cuspaudit.errors import UnableError
 from cuspaudit.kinematics.exact_model import ExactModel
 from cuspaudit.kinematics.numbers import format_angle
-from cuspaudit.kinematics.polynomial_map import jacobian_determinant, polynomial_map
+from cuspaudit.kinematics.polynomial_map import (
+    circles,
+    jacobian_determinant,
+    place,
+)
+from cuspaudit.kinematics.task import DIMENSIONS
 from cuspaudit.kinematics.virtual_joint import without_virtual_joint
 
 __all__ = [
@@ -62,23 +67,20 @@ def inverse_kinematics(model: ExactModel, seed: int = 0) -> InverseKinematics:
 
     Its real solutions are the postures that reach the place of q0, q0 among them;
     finitely many unless q0 is singular. A position task gives three equations beside
-    the circles, a pose task twelve.
+    the circles, an angle two more, a pose task twelve.
 
     Args:
         model: any chain.
         seed: of q0, a point with half-angle tangents of small denominator.
     """
-    ring, mapping = model.ring, polynomial_map(model)
-    components = mapping.position.components
-    if model.chain.task == "pose":
-        components += mapping.rotation.components
+    ring, components = model.ring, place(model)
     posture = _rational_posture(model, random.Random(seed))
     values = {name: ring.constant(value) for name, value in posture.items()}
     at = [values[name] for name in ring.variables]
     at += [ring.surd] if ring.radicand else []
     reached = (ring.reduce(r.compose(*at, ctx=ring.context)) for r in components)
     rest = (r - p for r, p in zip(components, reached, strict=True))
-    return InverseKinematics(ring, (*mapping.variety.equations, *rest), posture)
+    return InverseKinematics(ring, (*circles(ring, model.joints), *rest), posture)
 
 
 def msolve_system(model: ExactModel, seed: int = 0) -> str:
@@ -89,7 +91,7 @@ def msolve_system(model: ExactModel, seed: int = 0) -> str:
     Raises:
         UnableError: the task is not square, so the system is not zero-dimensional.
     """
-    if len(model.joints) != {"position": 3, "pose": 6}[model.chain.task]:
+    if len(model.joints) != DIMENSIONS[model.chain.task]:
         raise UnableError(
             "msolve file",
             f"{len(model.joints)} joints for a {model.chain.task} task have "
@@ -100,20 +102,19 @@ def msolve_system(model: ExactModel, seed: int = 0) -> str:
 
 
 def _lines(model: ExactModel) -> Iterator[str]:
-    mapping = polynomial_map(model)
     task = without_virtual_joint(model.chain).task
     yield f"# {model.chain.name}: {task} of {model.chain.tip}"
     yield from (f"# {line}" for line in _variables(model))
     for approximation in model.approximations:
         yield f"# {approximation.where}: within {approximation.difference:g} rad"
     yield "f"
-    yield from (f"  {p} = 0" for p in mapping.variety.equations)
+    yield from (f"  {p} = 0" for p in circles(model.ring, model.joints))
     yield "R"
-    for name, p in zip("xyz", mapping.position.components, strict=True):
+    entries = [f"r{i}{j}" for i in (1, 2, 3) for j in (1, 2, 3)]
+    turning = {"pose": entries, "position-and-angle": ["cos", "sin"]}
+    names = [*"xyz", *turning.get(model.chain.task, [])]
+    for name, p in zip(names, place(model), strict=True):
         yield f"  {name} = {p}"
-    if model.chain.task == "pose":
-        for k, p in enumerate(mapping.rotation.components):
-            yield f"  r{k // 3 + 1}{k % 3 + 1} = {p}"
     determinant = jacobian_determinant(model)
     yield "det J"
     yield f"  {determinant}"

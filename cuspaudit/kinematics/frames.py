@@ -66,7 +66,7 @@ def jacobian(chain: Chain, posture: Sequence[float] | Matrix) -> Matrix:
 
     Rows are the linear velocity of the tip's origin, in base coordinates, then for a
     pose the angular velocity, for a tool axis its parts along the two other axes of the
-    tip's frame.
+    tip's frame, for an angle its part along the last axis that turns.
     """
     placed = frames(chain, posture)
     point = placed[-1, :3, 3]
@@ -80,6 +80,9 @@ def jacobian(chain: Chain, posture: Sequence[float] | Matrix) -> Matrix:
     full = np.array(columns).T
     if chain.task == "position":
         return full[:3]
+    if chain.task == "position-and-angle":
+        axis = full[3:, [kind == "revolute" for kind in chain.kinds]][:, -1]
+        return np.vstack([full[:3], axis @ full[3:]])
     if chain.task in TOOL_AXES:
         x = TOOL_AXES[chain.task].index(1)
         others = placed[-1][:3, [(x + 1) % 3, (x + 2) % 3]]

@@ -15,11 +15,14 @@ from cuspaudit.algebra.ring import Polynomial, Ring
 from cuspaudit.algebra.system import PolynomialMap, PolynomialSystem
 from cuspaudit.errors import UnableError
 from cuspaudit.kinematics.exact_model import ExactJoint, ExactModel
-from cuspaudit.kinematics.transform import Column, Transform, cross, dot
+from cuspaudit.kinematics.four_joints import common_direction, cos_sin_angle
+from cuspaudit.kinematics.task import DIMENSIONS
+from cuspaudit.kinematics.transform import Column, Transform, cross, dot, identity
 
 __all__ = [
     "KinematicMap",
     "jacobian_determinant",
+    "place",
     "polynomial_map",
     "reduce_circles",
     "reduced_map",
@@ -56,6 +59,24 @@ def polynomial_map(model: ExactModel) -> KinematicMap:
         PolynomialMap(ring, tuple(_on_circles(model, p) for p in placed.translation)),
         PolynomialMap(ring, tuple(_on_circles(model, p) for p in entries)),
     )
+
+
+def place(model: ExactModel) -> tuple[Polynomial, ...]:
+    """The map R of the task: what two postures of one place agree in.
+
+    The tip's position, then for a pose the nine entries of its rotation, for an angle
+    its cosine and sine.
+
+    Raises:
+        NoAngleError: the task is an angle, and the tip has none.
+    """
+    found = polynomial_map(model)
+    if model.chain.task == "pose":
+        return found.position.components + found.rotation.components
+    if model.chain.task == "position-and-angle":
+        angle = (_on_circles(model, p) for p in cos_sin_angle(model))
+        return (*found.position.components, *angle)
+    return found.position.components
 
 
 def circles(ring: Ring, joints: tuple[ExactJoint, ...]) -> tuple[Polynomial, ...]:
@@ -118,36 +139,49 @@ def reduced_map(model: ExactModel) -> tuple[PolynomialSystem, PolynomialMap]:
 def jacobian_determinant(model: ExactModel) -> Polynomial:
     """The determinant det J of the task, a polynomial reduced modulo the circles.
 
-    Rows are the linear velocity of the tip, then (pose) the angular velocity; columns
-    are the joints. The determinant does not depend on the base frame, nor (pose) on
-    the point of the tip body that is followed, so the screws are written in a frame
-    in the middle of the chain, where each depends on few joints [DESIGN 9].
+    Rows are the linear velocity of the tip, then for a pose the angular velocity, for
+    an angle its part along the last axis that turns; columns are the joints. The
+    determinant does not depend on the base frame, nor (pose) on the point of the tip
+    body that is followed, so the screws are written in a frame in the middle of the
+    chain, where each depends on few joints [DESIGN 9].
 
     Raises:
         UnableError: the number of joints is not the dimension of the task.
+        NoAngleError: the task is an angle, and the tip has none.
     """
     task, count = model.chain.task, len(model.joints)
-    if count != {"position": 3, "pose": 6}[task]:
+    if count != DIMENSIONS[task]:
         raise UnableError("det J", f"{count} joints for a {task} task")
-    build = _position_determinant if task == "position" else _pose_determinant
+    build = _pose_determinant if task == "pose" else _point_determinant
     return _on_circles(model, build(model))
 
 
-def _position_determinant(model: ExactModel) -> Polynomial:
+def _point_determinant(model: ExactModel) -> Polynomial:
+    """Velocity of the tip, and its turn about the last axis for an angle task.
+
+    Everything is written in the moved frame of joint 2.
+    """
     ring = model.ring
-    first, second, third = model.joints
+    first, second, *rest = model.joints
     back = (second.before @ model.motion(second)).inverse()
-    point = (third.before @ model.motion(third)).apply(model.tool.translation)
-    placed = (
+    placed = [
         (first, back.turn(first.axis), back.translation),
         (second, second.axis, _origin(ring)),
-        (third, third.before.turn(third.axis), third.before.translation),
-    )
+    ]
+    frame = Transform(ring, identity(ring), _origin(ring))
+    for joint in rest:
+        frame = frame @ joint.before
+        placed.append((joint, frame.turn(joint.axis), frame.translation))
+        frame = frame @ model.motion(joint)
+    point = frame.apply(model.tool.translation)
     columns = []
     for joint, axis, origin in placed:
         arm = tuple(a - b for a, b in zip(point, origin, strict=True))
         columns.append(cross(ring, axis, arm) if joint.kind == "revolute" else axis)
-    return determinant(ring, list(zip(*columns, strict=True)))
+    rows = list(zip(*columns, strict=True))
+    if model.chain.task == "position-and-angle":
+        rows.append(tuple(ring.constant(s) for s in common_direction(model).signs))
+    return determinant(ring, rows)
 
 
 def _pose_determinant(model: ExactModel) -> Polynomial:

@@ -1,4 +1,4 @@
-"""Exact reductions of a six-joint arm [DESIGN 6.1].
+"""Exact reductions of a six-joint arm [DESIGN 6.1], and the theorems on four joints.
 
 Each is a theorem; its hypotheses are tested exactly on the model, and its proof is in
 the docstring of the function that applies it.
@@ -14,6 +14,7 @@ from cuspaudit.algebra.rationals import exact_rational
 from cuspaudit.algebra.ring import Ring
 from cuspaudit.kinematics.chain import Translation, Vector, reverse
 from cuspaudit.kinematics.exact_model import ExactModel, exact_model
+from cuspaudit.kinematics.four_joints import common_direction
 from cuspaudit.kinematics.neighbors import (
     coincide,
     concurrent,
@@ -26,7 +27,7 @@ from cuspaudit.kinematics.neighbors import (
 from cuspaudit.kinematics.transform import Column, Transform, dot
 from cuspaudit.kinematics.triple_and_pair import triple_and_pair
 
-__all__ = ["LOOKED_FOR", "Reduction", "reduce_six_joints"]
+__all__ = ["LOOKED_FOR", "Reduction", "reduce_four_joints", "reduce_six_joints"]
 
 LOOKED_FOR = (
     "a spherical wrist (axes 4, 5, 6 concurrent)",
@@ -38,7 +39,7 @@ LOOKED_FOR = (
 
 @dataclass(frozen=True)
 class Reduction:
-    """A theorem that applies to a six-joint arm.
+    """A theorem that applies to an arm of four or six joints.
 
     Attributes:
         kind: its name.
@@ -50,6 +51,7 @@ class Reduction:
         is_full: whether every regular posture of ``regional`` stands for two of the arm
             in every pose but singular ones.
         aspects: the number of aspects, where the theorem gives it.
+        postures: the largest number of postures of a regular pose, likewise.
         is_reversed: whether ``regional`` belongs to the arm taken from tip to base.
     """
 
@@ -58,6 +60,8 @@ class Reduction:
         "spherical shoulder",
         "UR pattern",
         "triple and pair",
+        "parallel axes",
+        "yaw and pitch",
     ]
     why: str
     regional: ExactModel | None = None
@@ -65,6 +69,32 @@ class Reduction:
     is_full: bool = True
     is_reversed: bool = False
     aspects: int | None = None
+    postures: int | None = None
+
+
+def reduce_four_joints(model: ExactModel) -> Reduction:
+    """The theorem of `four_joints` that holds for ``model``: it is noncuspidal.
+
+    Args:
+        model: four joints, task "position-and-angle"; that det J is not identically 0
+            is assumed, and checked by `audit.answer`.
+
+    Raises:
+        NoAngleError: the axes share no direction.
+    """
+    found = common_direction(model)
+    turning = sum(map(abs, found.signs))
+    if found.kind == "yaw and pitch":
+        why = (
+            "axes 2, 3, 4 are parallel and at right angles to axis 1: the signs of the "
+            "two factors of det J tell all postures of one position and angle apart"
+        )
+        return Reduction(found.kind, why)
+    why = (
+        "all axes that turn are parallel: one position and angle has at most two "
+        "postures, with opposite signs of det J"
+    )
+    return Reduction(found.kind, why, postures={1: 1, 3: 2}.get(turning))
 
 
 def reduce_six_joints(model: ExactModel) -> Reduction | None:

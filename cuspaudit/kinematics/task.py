@@ -36,12 +36,13 @@ _TURN = 2 * math.pi
 
 DIMENSIONS: dict[Task, int] = {
     "position": 3,
+    "position-and-angle": 4,
     "position-and-x-axis": 5,
     "position-and-y-axis": 5,
     "position-and-z-axis": 5,
     "pose": 6,
 }
-_OF_JOINTS: dict[int, Task] = {5: "position-and-z-axis"}
+_OF_JOINTS: dict[int, Task] = {4: "position-and-angle", 5: "position-and-z-axis"}
 
 
 def default_task(joints: int) -> Task:

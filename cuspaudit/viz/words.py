@@ -89,6 +89,8 @@ def verdict_words(audit: Audit) -> VerdictWords:
     name = str(robot.get("name") or "This system")
     task = str(robot.get("task"))
     place = "position" if task == "position" else "position and orientation"
+    if task == "position-and-angle":
+        place = "position at the same angle"
     if task.endswith("-axis"):
         place = f"position with its {task.split('-')[2]} axis in the same direction"
     sentences = {

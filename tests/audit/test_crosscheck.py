@@ -37,6 +37,7 @@ PATH = [[0.2, t2, t3] for t2, t3 in np.linspace([-0.742, 2.628], [-3.0, -0.5], 1
 ARMS = (
     *("chablat-2022-3r", "chablat-2022-3r-mirror", "ark-2022-3r", "ur5"),
     *("salunkhe-2022-fig20a", "salunkhe-2022-fig20b", "kinova-jaco-gen2"),
+    *("stanford-arm", "adept-cobra-600", "rawr-orion-5"),
 )
 
 
