@@ -6,6 +6,7 @@ by the exact engine.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -16,6 +17,8 @@ from cuspaudit.audit.answer import Answer
 from cuspaudit.audit.aspects import aspect_components
 from cuspaudit.audit.joint_surface import JointSurface
 from cuspaudit.audit.lift import lift_position, lift_wrist, wrist_middle
+from cuspaudit.audit.pinocchio_model import reach_scale
+from cuspaudit.audit.singular import random_postures
 from cuspaudit.cuspidality.surface_decision import SurfaceDecision
 from cuspaudit.cuspidality.witness import SurfacePath, posture_angles
 from cuspaudit.errors import RetryableError, UnableError
@@ -23,7 +26,8 @@ from cuspaudit.geometry.torus_components import TorusComponents
 from cuspaudit.kinematics.chain import Chain, reverse
 from cuspaudit.kinematics.exact_model import ExactModel
 from cuspaudit.kinematics.export import circle_names
-from cuspaudit.kinematics.frames import angle_value
+from cuspaudit.kinematics.four_joints import common_direction
+from cuspaudit.kinematics.frames import angle_value, frames, jacobian
 from cuspaudit.kinematics.postures import PostureSolver, is_even
 from cuspaudit.surface.sample_points import Fiber
 
@@ -32,6 +36,8 @@ __all__ = ["Shown", "shown_postures"]
 Array = NDArray[np.float64]
 Label = tuple[int, ...]
 _POSES = 64
+_PLACES, _STARTS, _STEPS = 4, 12, 15
+_NEAR, _APART = 1e-9, 1e-4
 
 
 @dataclass(frozen=True)
@@ -51,19 +57,50 @@ def shown_postures(answer: Answer, seed: int = 0) -> Shown:
     """The postures of a pose that has many, sorted by aspect.
 
     Those of a sample value for a three-joint arm or one reduced to it; those of one of
-    a few random poses for another arm of six revolute joints. Otherwise one posture,
-    with every joint at 0.2 rad or a fifth of a unit.
+    a few random places for four joints, or another arm of six revolute ones. Otherwise
+    one posture, with every joint at 0.2 rad or a fifth of a unit.
 
     Args:
         answer: of the exact engine, for a chain whose task is square.
         seed: of the random poses.
     """
     try:
+        if answer.model.chain.task == "position-and-angle":
+            return _of_an_angle(answer.model, seed)
         if answer.decision is None:
             return _of_a_pose(answer.model, seed)
         return _of_a_sample(answer, answer.decision)
     except UnableError:
         return Shown([[0.2] * len(answer.model.chain.joints)], None)
+
+
+def _of_an_angle(model: ExactModel, seed: int) -> Shown:
+    """The postures that Newton's method meets, of the random place with the most."""
+    rng = np.random.default_rng(seed)
+    size = reach_scale(model.chain) / 2
+    places = random_postures(model, _PLACES, rng, size)
+    starts = random_postures(model, _STARTS, rng, size)
+    found = [_met(model, first, starts) for first in places]
+    return _coloured(model, max(found, key=len))
+
+
+def _met(model: ExactModel, first: Array, starts: Array) -> Array:
+    """The posture ``first``, and others of its place."""
+    chain, signs = model.chain, common_direction(model).signs
+    turns = np.array([kind == "revolute" for kind in chain.kinds])
+    point = frames(chain, first)[-1, :3, 3]
+    met = [first]
+    for posture in starts:
+        for _ in range(_STEPS):
+            angle = math.remainder(float(signs @ (first - posture)), 2 * np.pi)
+            error = np.r_[point - frames(chain, posture)[-1, :3, 3], angle]
+            step = np.linalg.lstsq(jacobian(chain, posture), error, rcond=None)[0]
+            posture = posture + step
+        gaps = [np.where(turns, np.sin((posture - q) / 2), posture - q) for q in met]
+        if np.abs(error).max() < _NEAR and all(np.abs(g).max() > _APART for g in gaps):
+            met.append(posture)
+    wrapped = np.remainder(np.array(met) + np.pi, 2 * np.pi) - np.pi
+    return np.where(turns, wrapped, np.array(met))
 
 
 def _of_a_pose(model: ExactModel, seed: int) -> Shown:
@@ -80,12 +117,18 @@ def _of_a_pose(model: ExactModel, seed: int) -> Shown:
     if not whole:
         raise UnableError("postures", "no pose was found with all its postures")
     best = max(whole, key=lambda k: (len(found[k]), np.abs(heights[k]).min()))
+    return _coloured(model, found[best])
+
+
+def _coloured(model: ExactModel, postures: Array) -> Shown:
+    """The postures by aspect, or by the sign of det J where aspects are not known."""
     try:
         components = aspect_components(model)
     except UnableError:
-        order = np.argsort(heights[best] < 0, kind="stable")
-        return Shown(found[best][order].tolist(), None)
-    return _named(found[best], [_label(model, components, q) for q in found[best]])
+        heights = [np.linalg.det(jacobian(model.chain, q)) for q in postures]
+        order = np.argsort(np.array(heights) < 0, kind="stable")
+        return Shown(postures[order].tolist(), None)
+    return _named(postures, [_label(model, components, q) for q in postures])
 
 
 def _label(model: ExactModel, components: TorusComponents, posture: Array) -> Label:
@@ -94,8 +137,11 @@ def _label(model: ExactModel, components: TorusComponents, posture: Array) -> La
     Raises:
         UnableError: the posture is too near a singular one to tell.
     """
-    zeros = [angle_value(joint.zero) for joint in model.joints]
-    turned = (posture + zeros).tolist()
+    turned = [
+        float(value) + angle_value(joint.zero)
+        for joint, value in zip(model.joints, posture, strict=True)
+        if joint.kind == "revolute"
+    ]
     label = components.component_at(dict(zip(circle_names(model), turned, strict=True)))
     if label is None:
         raise UnableError("postures", "a posture is too near a singular one to tell")

@@ -39,6 +39,9 @@ of r gives r, and (r, d) != 0 gives theta1. The angle gives the point of axis 4 
 plane, hence its distance from axis 2 and cos(theta3); the sign of sin(theta3) gives
 theta3, then theta2, and the angle gives theta4. So a nonsingular posture is known from
 its place and two signs, which a nonsingular path keeps.
+
+Where the whole pose of the tip is meant instead, with r = 0 allowed on the way, the
+verdict is the same: the pose holds n, which gives theta1, and the rest is as above.
 """
 
 from __future__ import annotations
