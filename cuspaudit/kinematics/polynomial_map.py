@@ -15,7 +15,7 @@ from cuspaudit.algebra.ring import Polynomial, Ring
 from cuspaudit.algebra.system import PolynomialMap, PolynomialSystem
 from cuspaudit.errors import UnableError
 from cuspaudit.kinematics.exact_model import ExactJoint, ExactModel
-from cuspaudit.kinematics.four_joints import common_direction, cos_sin_angle
+from cuspaudit.kinematics.four_joints import cos_sin_angle
 from cuspaudit.kinematics.task import DIMENSIONS
 from cuspaudit.kinematics.transform import Column, Transform, cross, dot, identity
 
@@ -140,14 +140,14 @@ def jacobian_determinant(model: ExactModel) -> Polynomial:
     """The determinant det J of the task, a polynomial reduced modulo the circles.
 
     Rows are the linear velocity of the tip, then for a pose the angular velocity, for
-    an angle its part along the last axis that turns; columns are the joints. The
-    determinant does not depend on the base frame, nor (pose) on the point of the tip
-    body that is followed, so the screws are written in a frame in the middle of the
-    chain, where each depends on few joints [DESIGN 9].
+    an angle its part along the last axis that turns (the rate of the angle where
+    `four_joints.common_direction` finds one); columns are the joints. The determinant
+    does not depend on the base frame, nor (pose) on the point of the tip body that is
+    followed, so the screws are written in a frame in the middle of the chain, where
+    each depends on few joints [DESIGN 9].
 
     Raises:
         UnableError: the number of joints is not the dimension of the task.
-        NoAngleError: the task is an angle, and the tip has none.
     """
     task, count = model.chain.task, len(model.joints)
     if count != DIMENSIONS[task]:
@@ -180,7 +180,12 @@ def _point_determinant(model: ExactModel) -> Polynomial:
         columns.append(cross(ring, axis, arm) if joint.kind == "revolute" else axis)
     rows = list(zip(*columns, strict=True))
     if model.chain.task == "position-and-angle":
-        rows.append(tuple(ring.constant(s) for s in common_direction(model).signs))
+        turns = [
+            axis if joint.kind == "revolute" else _origin(ring)
+            for joint, axis, _ in placed
+        ]
+        last = next((axis for axis in reversed(turns) if any(axis)), _origin(ring))
+        rows.append(tuple(dot(ring, axis, last) for axis in turns))
     return determinant(ring, rows)
 
 
