@@ -291,7 +291,7 @@ def _named(model: ExactModel, reduction: Reduction | None) -> Reduction | None:
     if reduction is None or not model.chain.joints[-1].is_virtual:
         return reduction
     number = len(model.joints)
-    why = f"with the tool axis as axis {number} [virtual_joint], {reduction.why}"
+    why = f"with the tool axis as axis {number} (a virtual joint), {reduction.why}"
     return replace(reduction, why=why)
 
 
