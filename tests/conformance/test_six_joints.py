@@ -8,7 +8,7 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
-from short_tables import Number, arm, ask, numbers, with_wrist
+from short_tables import Number, arm, ask, numbers, shift, with_wrist
 
 from cuspaudit.algebra.numeric import NumericPolynomial
 from cuspaudit.algebra.trigonometric import factor_on_circles
@@ -283,12 +283,18 @@ def test_a_prismatic_joint_is_no_wrist() -> None:
 
 
 def test_the_stanford_arm_is_noncuspidal() -> None:
-    """RRP with a spherical wrist: as its first three joints, two postures a point."""
+    """RRP with a spherical wrist: as its first three joints, four postures a point."""
     regional = arm((0, 0, 0), (".412", ".154", 0), (-90, 90, 0), "RRP")
     found, three = ask(with_wrist(regional)), ask(regional)
     assert found.reduction is not None
     assert found.reduction.kind == "spherical wrist"
     assert found.verdict is three.verdict is Verdict.NONCUSPIDAL
+    assert three.postures is not None
+    assert three.postures.count == 4
+    joints = list(with_wrist(regional).joints)
+    joints[5] = replace(joints[5], before=(shift("1e-9", 0, 0), *joints[5].before))
+    beside = with_wrist(regional).with_joints(joints)
+    assert ask(beside).verdict is Verdict.UNDECIDED
 
 
 def test_a_wrist_on_a_cuspidal_sliding_arm_is_cuspidal() -> None:
