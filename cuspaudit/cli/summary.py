@@ -44,7 +44,7 @@ def print_summary(record: Mapping[str, Any], files: Mapping[str, Any]) -> None:
         "settled by": (record["undecided"] or {}).get("would_settle"),
     }
     if witness and witness["clearance"] is not None:
-        rows["clearance"] = f"{witness['clearance']:.4f} of the largest |det J|"
+        rows["clearance"] = f"{witness['clearance']:.3g} of the largest |det J|"
     rows |= {name: file for name, file in files.items() if file}
     rows["time"] = f"{record['seconds']['total']:.2f} s"
     for name, value in rows.items():
