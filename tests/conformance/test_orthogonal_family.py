@@ -9,35 +9,13 @@ from math import inf, sqrt
 from pathlib import Path
 
 import pytest
+from small_families import ORTHOGONAL, UR_PATTERN
 
 from cuspaudit.audit.member import decide_member
 from cuspaudit.kinematics.family_file import read_family
 from cuspaudit.kinematics.members import Family
 
-ORTHOGONAL = """\
-family: orthogonal-3r
-robot:
-  convention: standard
-  units: m
-  task: position
-  joints:
-    - {type: revolute, a: 1,  alpha: -pi/2, d: 0}
-    - {type: revolute, a: a2, alpha: pi/2,  d: d2}
-    - {type: revolute, a: a3, alpha: 0,     d: 0}
-"""
-UR_PATTERN = """\
-family: ur-pattern
-robot:
-  convention: standard
-  units: m
-  task: pose
-  joints:
-    - {type: revolute, a: 0,   alpha: pi/2,  d: 0.09}
-    - {type: revolute, a: -a2, alpha: 0,     d: 0}
-    - {type: revolute, a: -a3, alpha: 0,     d: 0}
-    - {type: revolute, a: 0,   alpha: pi/2,  d: 0.11}
-    - {type: revolute, a: 0,   alpha: -pi/2, d: d5}
-    - {type: revolute, a: 0,   alpha: 0,     d: 0.08}
+RANDOM_LENGTHS = """\
 parameters:
   a2: {random: [0.1, 1], count: 10}
   a3: {random: [0.1, 1], count: 10}
@@ -167,7 +145,7 @@ def test_all_nine_types_are_met() -> None:
 def test_the_ur_pattern_is_noncuspidal_by_theorem(tmp_path: Path) -> None:
     """Ten arms of the UR pattern: noncuspidal by theorem, with 8 aspects each."""
     file = tmp_path / "family.yaml"
-    file.write_text(UR_PATTERN)
+    file.write_text(UR_PATTERN + RANDOM_LENGTHS)
     family = read_family(file)
     rows = [decide_member(family, index) for index in family.indices()]
     assert len(rows) == 10
@@ -199,7 +177,6 @@ def test_the_arms_of_the_ur_series_have_eight_aspects(
     a2, a3, d5 = PUBLISHED[name]
     lines = f"parameters: {{a2: {{values: [{a2}]}}, a3: {{values: [{a3}]}}, "
     file = tmp_path / "family.yaml"
-    head = UR_PATTERN.partition("parameters:")[0]
-    file.write_text(f"{head}{lines}d5: {{values: [{d5}]}}}}\n")
+    file.write_text(f"{UR_PATTERN}{lines}d5: {{values: [{d5}]}}}}\n")
     row = decide_member(read_family(file), 0)
     assert (row["verdict"], row["aspects"]) == ("noncuspidal", 8)

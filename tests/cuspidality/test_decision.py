@@ -28,7 +28,9 @@ SLOW = {"issac-2022", "issac-2022-printed", "two-spheres", "five-bar"}
 LONG = {"five-bar"}
 
 
-def system(variables: str, equations: list[str], mapping: list[str]) -> tuple:  # type: ignore[type-arg]
+def system(
+    variables: str, equations: list[str], mapping: list[str]
+) -> tuple[PolynomialSystem, PolynomialMap]:
     """V and R from text."""
     ring = Ring(variables.split())
     f = tuple(parse_polynomial(ring, text) for text in equations)
@@ -94,7 +96,9 @@ def test_the_roadmap_decides_what_the_routing_takes_minutes_for(name: str) -> No
     ],
     ids=lambda value: str(value)[:40],
 )
-def test_violated_hypotheses_are_named(arguments: tuple, error: type) -> None:  # type: ignore[type-arg]
+def test_violated_hypotheses_are_named(
+    arguments: tuple[str, list[str], list[str]], error: type[AssumptionError]
+) -> None:
     """Each way in which assumption (A), or full rank, fails has its own error."""
     variety, mapping = system(*arguments)
     with pytest.raises(error):
