@@ -27,3 +27,11 @@ def corpus() -> Path:
     if not folder.is_dir():
         pytest.skip("no corpus: set CUSPAUDIT_CORPUS")
     return folder
+
+
+@pytest.fixture(scope="session")
+def output() -> Path:
+    """The folder of screenshots and tables, for a person to look at."""
+    folder = Path(__file__).parents[1] / "test-output"
+    folder.mkdir(exist_ok=True)
+    return folder

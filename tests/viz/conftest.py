@@ -1,22 +1,12 @@
-"""The browser, and where its tests leave what they saw."""
+"""The browser."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from pathlib import Path
 from typing import Any
 
 import pytest
 from visits import FLAGS, chromium
-
-OUTPUT = Path(__file__).parents[2] / "test-output"
-
-
-@pytest.fixture(scope="session")
-def output() -> Path:
-    """The folder of screenshots, for a person to look at."""
-    OUTPUT.mkdir(exist_ok=True)
-    return OUTPUT
 
 
 @pytest.fixture(scope="module")
