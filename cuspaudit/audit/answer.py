@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 
 from cuspaudit.audit.aspects import count_aspects
 from cuspaudit.audit.pairs import PairRecord
+from cuspaudit.audit.pigeonhole import Crowd
 from cuspaudit.audit.six_joint_search import SearchRecord
 from cuspaudit.cuspidality.decision import Decision, decide
 from cuspaudit.cuspidality.pair_decision import PairDecision, decide_pairs
@@ -78,6 +79,7 @@ class Answer:
         undecided: set exactly when the verdict is UNDECIDED.
         search: the search that found the witness of a CUSPIDAL answer, if one did.
         pairs: the pairs that led to the witness, if they did.
+        crowd: a pose that proves the arm of the model cuspidal, if one was met.
         confirmed: whether the routing gave the same verdict and count of aspects.
     """
 
@@ -95,6 +97,7 @@ class Answer:
     undecided: Undecided | None = None
     search: SearchRecord | None = None
     pairs: PairRecord | None = None
+    crowd: Crowd | None = None
     confirmed: bool = False
 
 

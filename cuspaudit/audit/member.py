@@ -8,7 +8,12 @@ from contextlib import suppress
 from typing import Any
 
 from cuspaudit.audit.answer import Answer, answer
-from cuspaudit.audit.six_joint_witness import needs_search, searched
+from cuspaudit.audit.six_joint_witness import (
+    crowd_of,
+    needs_search,
+    searched,
+    with_crowd,
+)
 from cuspaudit.audit.time_limit import TimeUp, time_limit
 from cuspaudit.audit.witness import Witness, find_witness
 from cuspaudit.cuspidality.verdict import Verdict
@@ -59,7 +64,9 @@ def _decided(family: Family, index: int) -> Row:
     chain = with_virtual_joint(family.robot(index).chain)
     found, witness = answer(exact_model(chain)), None
     if needs_search(found):
+        crowd = crowd_of(found, family.seed)
         found, witness = searched(found, chain, family.seed)
+        found = with_crowd(found, crowd)
     counts = {
         "cusps": found.cusps,
         "nodes": found.nodes,
@@ -94,7 +101,7 @@ def _clearance(found: Answer, witness: Witness | None, chain: Chain) -> float | 
     """The clearance of a certified witness; None where there is none."""
     if witness is not None:
         return witness.clearance
-    if found.verdict is not Verdict.CUSPIDAL:
+    if found.verdict is not Verdict.CUSPIDAL or found.decision is None:
         return None
     try:
         return find_witness(found, chain).clearance

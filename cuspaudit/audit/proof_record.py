@@ -1,9 +1,10 @@
-"""The record of an exact run: what a noncuspidal verdict is re-checked with.
+"""The record of an exact run: what a verdict without a certificate is re-checked with.
 
-A cuspidal verdict has a certificate. For the other, the steps of Algorithm 1 are
-written down with their numbers: the polynomials, the rational sample values, the
-postures of each in isolating balls, the aspect each lies in and the graph that says
-so. The claim to re-check is that no two postures of one value share an aspect.
+For a noncuspidal one the steps of Algorithm 1 are written down with their numbers: the
+polynomials, the rational sample values, the postures of each in isolating balls, the
+aspect each lies in and the graph that says so. The claim to re-check is that no two
+postures of one value share an aspect. For a cuspidal one by the pigeon-hole, the pose
+and all its postures, of which two share one.
 """
 
 from __future__ import annotations
@@ -13,6 +14,7 @@ from typing import Any
 
 import cuspaudit
 from cuspaudit.audit.answer import Answer
+from cuspaudit.audit.pigeonhole import Crowd
 from cuspaudit.cuspidality.pair_decision import PairDecision
 from cuspaudit.cuspidality.surface_decision import SurfaceDecision
 from cuspaudit.kinematics.virtual_joint import without_virtual_joint
@@ -42,6 +44,7 @@ def proof_record(answer: Answer) -> str:
         ],
         "run": _run(answer.decision) if answer.decision else None,
         "pairs": _pairs(answer.by_pairs) if answer.by_pairs else None,
+        "crowd": _crowd(answer.crowd) if answer.crowd else None,
         "made_by": f"cuspaudit {cuspaudit.__version__}",
     }
     return json.dumps(record, indent=1) + "\n"
@@ -104,6 +107,20 @@ def _roadmap(decision: SurfaceDecision | PairDecision) -> dict[str, Any]:
             ],
         },
         "aspects": decision.aspects,
+    }
+
+
+def _crowd(crowd: Crowd) -> dict[str, Any]:
+    return {
+        "pose_of": [f"tan(theta/2) = {tangent}" for tangent in crowd.tangents],
+        "postures": [
+            {
+                **{n: _text(b) for n, b in posture.ball(_BITS).items()},
+                "aspect": aspect,
+            }
+            for aspect, postures in enumerate(crowd.aspects.values())
+            for posture in postures
+        ],
     }
 
 

@@ -14,7 +14,13 @@ from cuspaudit.audit.crosscheck import CrossCheck, crosscheck
 from cuspaudit.audit.options import Clock, Options
 from cuspaudit.audit.pair_witness import needs_pairs, not_asked, searched_pairs
 from cuspaudit.audit.pinocchio_model import is_readable
-from cuspaudit.audit.six_joint_witness import HAIR_POSES, needs_search, searched
+from cuspaudit.audit.six_joint_witness import (
+    HAIR_POSES,
+    crowd_of,
+    needs_search,
+    searched,
+    with_crowd,
+)
 from cuspaudit.audit.versions import versions
 from cuspaudit.audit.witness import Witness, find_witness
 from cuspaudit.cuspidality.verdict import Verdict
@@ -54,7 +60,7 @@ class Audit:
         snapped: what distinguishes it from the robot's literal chain.
         answer: the exact answer for it.
         verdict: the verdict.
-        witness: present exactly when the verdict is CUSPIDAL.
+        witness: of a CUSPIDAL verdict; only one by ``answer.crowd`` may lack it.
         literal: the verdict for the literal chain.
         literal_witness: proves it CUSPIDAL where ``witness`` is not for that chain.
         check: the comparison with Pinocchio.
@@ -101,6 +107,7 @@ class Audit:
             },
             "witness": self._witness(certificate),
             "literal_witness": self._literal_witness(),
+            "crowd": answer.crowd.record() if answer.crowd else None,
             "models": {"literal": self.literal.value, "snapped": self.verdict.value},
             "limits": None,
             "crosscheck": asdict(self.check),
@@ -144,7 +151,7 @@ class Audit:
                 "two postures of one pose are joined by a path on which det J keeps "
                 f"its sign, proved for the numbers {where}; {why}"
             )
-        elif self.verdict is Verdict.NONCUSPIDAL:
+        elif self.verdict is not Verdict.UNDECIDED:
             kind = "exact" if answer.reduction is None else "reduction"
             rests_on = list(answer.rests_on)
             if not answer.model.is_exact:
@@ -216,12 +223,15 @@ def audit(robot: Robot, options: Options | None = None) -> Audit:
         found = _decide(robot, model, clock)
     with clock.stage("certify"):
         found, witness = _certify(found, literal, clock)
+    crowd = None
     with clock.stage("search"):
         if needs_search(found):
+            crowd = crowd_of(found, options.seed, clock.step)
             found, witness = searched(found, literal, options.seed, clock.step)
     with clock.stage("pairs"):
         if needs_pairs(found):
             found, witness = _by_pairs(found, literal, clock)
+    found = with_crowd(found, crowd)
     with clock.stage("aspects"):
         found = _with_aspects(found, clock)
     with clock.stage("literal"):
@@ -324,8 +334,8 @@ def _literal(
 ) -> tuple[Verdict, Witness | None]:
     """The verdict for the numbers exactly as the file has them, and its own witness.
 
-    CUSPIDAL with a certificate for them; NONCUSPIDAL only if their model is exact,
-    because a structure that holds to 1e-12 rad may hold for the model alone.
+    CUSPIDAL with a certificate for them; without one either verdict only if their
+    model is exact: what holds within 1e-12 rad of them may hold for the model alone.
     """
     if witness is not None and witness.chain == literal:
         return Verdict.CUSPIDAL, None
@@ -333,13 +343,13 @@ def _literal(
     try:
         same = literal == found.model.chain
         other = found if same else answer(exact_model(literal), clock.step)
-        if other.verdict is Verdict.CUSPIDAL:
+        if other.verdict is Verdict.CUSPIDAL and other.decision is not None:
             proof = find_witness(other, literal)
         elif needs_search(other) and not same:
             other, proof = searched(other, literal, seed, clock.step, HAIR_POSES)
     except (UnableError, AssumptionError):
         return Verdict.UNDECIDED, None
-    if other.verdict is Verdict.NONCUSPIDAL and not other.model.is_exact:
+    if proof is None and not other.model.is_exact:
         return Verdict.UNDECIDED, None
     return other.verdict, proof
 
@@ -380,7 +390,9 @@ def _engine(found: Answer) -> str | None:
         return "routing" if found.confirmed else "roadmap"
     if found.pairs is not None or found.by_pairs is not None:
         return "pairs"
-    return "search" if found.search is not None else None
+    if found.search is not None:
+        return "search"
+    return "pigeon-hole" if found.crowd is not None else None
 
 
 def _counted(name: str, count: Count | None) -> dict[str, Any]:

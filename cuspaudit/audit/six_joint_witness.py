@@ -1,4 +1,7 @@
-"""The witness of a six-joint arm that no theorem decides: searched for, then proved."""
+"""A six-joint arm that no theorem decides: its witness, searched for, then proved.
+
+Two postures of one pose in one aspect prove it cuspidal too, without a path.
+"""
 
 from __future__ import annotations
 
@@ -6,14 +9,23 @@ from dataclasses import dataclass, replace
 
 from cuspaudit.audit.answer import Answer, Progress
 from cuspaudit.audit.lift import close
+from cuspaudit.audit.pigeonhole import Crowd, crowded_pose
 from cuspaudit.audit.six_joint_search import SearchRecord, search
 from cuspaudit.audit.witness import Witness, certified
 from cuspaudit.cuspidality.verdict import Verdict
-from cuspaudit.errors import RetryableError
+from cuspaudit.errors import RetryableError, UnableError
 from cuspaudit.kinematics.chain import Chain
 from cuspaudit.surface.cusps import Count
 
-__all__ = ["HAIR_POSES", "Searched", "needs_search", "search_witness", "searched"]
+__all__ = [
+    "HAIR_POSES",
+    "Searched",
+    "crowd_of",
+    "needs_search",
+    "search_witness",
+    "searched",
+    "with_crowd",
+]
 
 MOST = 192
 HAIR_POSES = 64
@@ -45,6 +57,44 @@ def needs_search(found: Answer) -> bool:
         and undecided.step == "reductions"
         and chain.task == "pose"
         and chain.kinds == ("revolute",) * 6
+    )
+
+
+def crowd_of(
+    found: Answer, seed: int = 0, progress: Progress = lambda step: None
+) -> Crowd | None:
+    """A pose with two postures in one aspect, exactly; None when none was met.
+
+    A model that only comes near the arm is not asked: it would speak of another arm,
+    and its numbers are long (33 s where an axis is read from six decimals).
+
+    Args:
+        found: an answer that `needs_search`.
+        seed: of the poses looked at.
+        progress: called with the step.
+    """
+    if not found.model.is_exact:
+        return None
+    try:
+        progress("pigeon-hole")
+        return crowded_pose(found.model, seed)
+    except UnableError:
+        return None
+
+
+def with_crowd(found: Answer, crowd: Crowd | None) -> Answer:
+    """The answer with the pose that proves it; CUSPIDAL by it if it was undecided."""
+    if crowd is None:
+        return found
+    found = replace(found, crowd=crowd)
+    if found.verdict is Verdict.CUSPIDAL:
+        return found
+    return replace(
+        found,
+        verdict=Verdict.CUSPIDAL,
+        why=f"{crowd.sentence()}; no path between them was proved",
+        rests_on=crowd.grounds,
+        undecided=None,
     )
 
 

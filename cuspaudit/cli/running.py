@@ -46,7 +46,7 @@ def run_audit(
 
 
 def certificate_text(result: Audit) -> str | None:
-    """The certificate of a cuspidal verdict, else None."""
+    """The certificate of a verdict that has a witness, else None."""
     from cuspaudit.certificate import text_from_certificate
 
     if result.witness is None:

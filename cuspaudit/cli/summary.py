@@ -40,6 +40,7 @@ def print_summary(record: Mapping[str, Any], files: Mapping[str, Any]) -> None:
         "nodes": _count(singular["nodes"], singular["nodes_proved"]),
         "det J": " · ".join(_factor(f) for f in singular["factors"]),
         "cross-check": _check_line(record["crosscheck"]),
+        "pigeon-hole": _crowd(record.get("crowd")),
         "pairs": _pairs((record["undecided"] or {}).get("pairs")),
         "settled by": (record["undecided"] or {}).get("would_settle"),
     }
@@ -60,6 +61,16 @@ def _hair(witness: Mapping[str, Any] | None) -> str:
     if witness is None or witness["clearance"] is None:
         return ""
     return f", with clearance {witness['clearance']:.1e}"
+
+
+def _crowd(crowd: Mapping[str, Any] | None) -> str | None:
+    """How many postures of a pose share an aspect."""
+    if crowd is None:
+        return None
+    return (
+        f"{crowd['in_one_aspect']} of the {crowd['count']} postures of one pose lie in "
+        "one aspect (proved)"
+    )
 
 
 def _pairs(met: Mapping[str, Any] | None) -> str | None:

@@ -1,14 +1,31 @@
 from __future__ import annotations
 
+import json
+from pathlib import Path
+
+import jsonschema
 import numpy as np
 import pytest
 from flint import fmpq
 
+import cuspaudit
+from cuspaudit.audit import report as module
+from cuspaudit.audit.answer import answer
 from cuspaudit.audit.aspects import count_aspects
 from cuspaudit.audit.library import open_robot
-from cuspaudit.audit.pigeonhole import crowded_aspects, postures_by_aspect
+from cuspaudit.audit.pigeonhole import (
+    crowded_aspects,
+    crowded_pose,
+    postures_by_aspect,
+)
+from cuspaudit.audit.proof_record import proof_record
+from cuspaudit.audit.report import audit
+from cuspaudit.audit.six_joint_witness import crowd_of, needs_search
 from cuspaudit.errors import UnableError
 from cuspaudit.kinematics.exact_model import ExactModel, exact_model
+from cuspaudit.kinematics.frames import frames, jacobian
+
+SCHEMA = Path(cuspaudit.__file__).parent / "audit" / "schema.json"
 
 
 def model_of(name: str) -> ExactModel:
@@ -47,9 +64,46 @@ def test_no_aspect_of_a_ur5_holds_two_postures_of_a_pose() -> None:
         assert crowded_aspects(found) == {}
         most = max(most, len(found))
     assert most >= 4
+    assert crowded_pose(model) is None
 
 
 def test_unproved_aspects_are_no_ground() -> None:
     """Without a count of aspects nothing is said."""
     with pytest.raises(UnableError):
         postures_by_aspect(model_of("hyperplane-6r"), poses(1, 0)[0])
+
+
+def test_a_crowded_aspect_decides_where_no_path_is_proved(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """CUSPIDAL, exact, with the pose and two postures named, and no certificate."""
+    monkeypatch.setattr(module, "searched", lambda found, *rest: (found, None))
+    monkeypatch.setattr(module, "needs_pairs", lambda found: False)
+    robot = open_robot("fanuc-crx-10ia-l")
+    found = audit(robot)
+    record = json.loads(json.dumps(found.record(), allow_nan=False))
+    jsonschema.validate(record, json.loads(SCHEMA.read_text()))
+    assert (record["verdict"], record["witness"]) == ("cuspidal", None)
+    assert (record["proof"]["kind"], record["proof"]["engine"]) == (
+        *("exact", "pigeon-hole"),
+    )
+    assert record["proof"]["rests_on"]
+    assert record["models"] == {"literal": "cuspidal", "snapped": "cuspidal"}
+    first, second = np.array(record["crowd"]["postures"])
+    gap = frames(robot.chain, first)[-1] - frames(robot.chain, second)[-1]
+    assert np.abs(gap).max() < 1e-9
+    assert np.abs(np.remainder(first - second + 3, 2 * np.pi) - 3).max() > 0.1
+    signs = [np.linalg.det(jacobian(robot.chain, q)) > 0 for q in (first, second)]
+    assert signs[0] == signs[1]
+    written = json.loads(proof_record(found.answer))["crowd"]["postures"]
+    aspects = [posture["aspect"] for posture in written]
+    most = max(aspects.count(a) for a in aspects)
+    assert most == record["crowd"]["in_one_aspect"] > 1
+
+
+def test_a_model_near_the_arm_is_no_ground() -> None:
+    """The JACO's twists of 55 deg are rational points: its model is another arm."""
+    found = answer(model_of("kinova-jaco-gen2"))
+    assert needs_search(found)
+    assert crowd_of(found) is None
+    assert crowd_of(answer(model_of("fanuc-crx-10ia-l"))) is not None

@@ -27,7 +27,7 @@ KEYS: dict[str, set[str]] = {
     "": {
         *("schema", "robot", "verdict", "proof", "aspects", "postures", "singular"),
         *("witness", "models", "limits", "crosscheck", "undecided", "seconds"),
-        *("versions", "seed", "literal_witness"),
+        *("versions", "seed", "literal_witness", "crowd"),
     },
     "robot": {"name", "file", "joints", "base", "tip", "task", "exact", "snapped"},
     "proof": {"kind", "engine", "reduction", "rests_on", "why"},
