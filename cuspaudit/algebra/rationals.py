@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from flint import arb, fmpq
+from flint import arb, fmpq, fmpz
 
 __all__ = ["exact_rational", "rationals_between", "simplest_between"]
 
@@ -45,12 +45,19 @@ def simplest_between(low: fmpq, high: fmpq) -> fmpq:
         return fmpq(0)
     if high < 0:
         return -simplest_between(-high, -low)
-    whole = low.floor()
-    if whole == low:
-        return low
-    if whole + 1 <= high:
-        return fmpq(whole + 1)
-    return whole + 1 / simplest_between(1 / (high - whole), 1 / (low - whole))
+    # convergents above/below of the continued fraction that low and high share
+    above, below = (fmpz(1), fmpz(0)), (fmpz(0), fmpz(1))
+    while True:
+        whole = low.floor()
+        if whole < low:
+            whole += whole + 1 <= high
+        above, below = (
+            (whole * above[0] + above[1], above[0]),
+            (whole * below[0] + below[1], below[0]),
+        )
+        if low <= whole <= high:
+            return fmpq(above[0], below[0])
+        low, high = 1 / (high - whole), 1 / (low - whole)
 
 
 def exact_rational(ball: arb) -> fmpq:

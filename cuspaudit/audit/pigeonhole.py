@@ -25,7 +25,7 @@ from cuspaudit.audit.aspects import aspect_components
 from cuspaudit.errors import PrecisionError, RetryableError, UnableError
 from cuspaudit.geometry.torus_components import TorusComponents
 from cuspaudit.kinematics.exact_model import ExactModel
-from cuspaudit.kinematics.exact_postures import exact_postures
+from cuspaudit.kinematics.exact_postures import exact_postures, real_postures
 from cuspaudit.kinematics.export import circle_names
 from cuspaudit.kinematics.frames import angle_value
 from cuspaudit.kinematics.postures import PostureSolver
@@ -149,7 +149,7 @@ def postures_by_aspect(
     """The postures of the pose of a rational posture, by the aspect they lie in.
 
     Args:
-        model: six revolute joints, over Q.
+        model: six revolute joints.
         tangents: tan(theta_i / 2) of the posture, theta_i the variables of the model.
         timeout: of covers, as in ``aspect_components``.
 
@@ -170,7 +170,7 @@ def _placed(
     """The postures by aspect, and the grounds on which they are all."""
     postures = exact_postures(model, tangents)
     found: dict[Label, list[RealPoint]] = {}
-    for posture in postures.real_points():
+    for posture in real_postures(postures):
         found.setdefault(_label(components, posture), []).append(posture)
     return found, postures.grounds
 

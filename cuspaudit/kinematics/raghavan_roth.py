@@ -28,12 +28,28 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["Arm", "closed", "fifth_axis", "first_side", "rigid_inverse", "turned"]
+__all__ = [
+    "Arm",
+    "closed",
+    "fifth_axis",
+    "first_side",
+    "reversed_loop",
+    "rigid_inverse",
+    "turned",
+]
 
 Array = NDArray[Any]
 
 NODES = ((1, 0), (0, 1), (-1, 0))
 """(cos, sin) at 0, 90 and 180 degrees: they determine a + b cos + c sin."""
+_CROSS = np.array(
+    [
+        [[0, 0, 0], [0, 0, -1], [0, 1, 0]],
+        [[0, 0, 1], [0, 0, 0], [-1, 0, 0]],
+        [[0, -1, 0], [1, 0, 0], [0, 0, 0]],
+    ]
+)
+"""[axis]_x is the sum of these matrices, axis the coefficients."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -58,9 +74,8 @@ def turned(axis: Array, c: Array, s: Array) -> Array:
 
     Rodrigues: c 1 + (1 - c) axis axis^T + s [axis]_x.
     """
-    x, y, z = axis
     c, s = np.asarray(c)[..., None, None], np.asarray(s)[..., None, None]
-    beside = np.array([[x - x, -z, y], [z, x - x, -x], [-y, x, x - x]])
+    beside = np.tensordot(axis, _CROSS, 1)
     along = np.multiply.outer(axis, axis)
     one = np.eye(3, dtype=int)
     result = np.zeros((*c.shape[:-2], 4, 4), dtype=np.result_type(along, c))
@@ -82,6 +97,17 @@ def rigid_inverse(motion: Array) -> Array:
 def closed(arm: Arm, pose: Array) -> Array:
     """The link from joint 6 round to joint 1 when the tip is held at ``pose``."""
     return arm.tool @ rigid_inverse(pose) @ arm.before[0]
+
+
+def reversed_loop(arm: Arm, pose: Array) -> tuple[Arm, Array]:
+    """The same closed loop counted backwards, and its pose.
+
+    Its joint k is joint 7 - k of ``arm``, with the same angle.
+    """
+    links = [rigid_inverse(link) for link in (*arm.before[1:], closed(arm, pose))]
+    one = np.eye(4, dtype=int).astype(object)
+    axes = [-axis for axis in arm.axes]
+    return Arm([one, *links[4::-1]], axes[::-1], links[5], arm.half), one
 
 
 def fifth_axis(arm: Arm) -> Array:
