@@ -49,9 +49,10 @@ class QuadraticField:
 
     def reduced(self, array: Array) -> Array:
         """The entries as elements of degree at most 1 in sqrt m."""
-        return _mapped(self._element, array)
+        return _mapped(self.reduced_element, array)
 
-    def _element(self, entry: Any) -> Any:
+    def reduced_element(self, entry: Any) -> Any:
+        """One element of degree at most 1 in sqrt m."""
         if self.radicand is None:
             return entry
         return fmpq_poly([1]) * entry % fmpq_poly([-self.radicand, 0, 1])

@@ -22,7 +22,7 @@ from cuspaudit.algebra.parametrization import RealPoint
 from cuspaudit.algebra.ring import Rational, rational
 from cuspaudit.algebra.univariate import PRECISIONS
 from cuspaudit.audit.aspects import aspect_components
-from cuspaudit.errors import PrecisionError, RetryableError, UnableError
+from cuspaudit.errors import AssumptionError, PrecisionError, RetryableError
 from cuspaudit.geometry.torus_components import TorusComponents
 from cuspaudit.kinematics.exact_model import ExactModel
 from cuspaudit.kinematics.exact_postures import exact_postures, real_postures
@@ -107,11 +107,11 @@ def crowded_pose(
         timeout: of covers, as in ``aspect_components``.
 
     Raises:
-        UnableError: the aspects are out of reach, or not six revolute joints.
+        UnableError: the aspects or the postures are out of reach.
     """
     components = aspect_components(model, timeout)
     for tangents in _proposed(model, components, seed):
-        with suppress(UnableError, RetryableError):
+        with suppress(AssumptionError, RetryableError):
             found, grounds = _placed(model, components, tangents)
             if crowded_aspects(found):
                 return Crowd(model, tangents, found, (*grounds, *components.grounds))

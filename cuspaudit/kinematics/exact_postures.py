@@ -3,7 +3,8 @@
 The pose is that of a posture with rational half-angle tangents, so it has its numbers
 in the field K of the model. The closed loop is solved in a chart of half-angle tangents
 (`posture_chart`): forwards, where the roots are those of joint 2, or else backwards,
-where they are those of joint 5, which tells the two sides of a wrist apart.
+where they are those of joint 5, which tells the two sides of a wrist apart. Where every
+joint angle may belong to two postures the equations are solved (`loop_equations`).
 """
 
 from __future__ import annotations
@@ -20,13 +21,16 @@ from cuspaudit.algebra.quadratic_matrix import QuadraticField
 from cuspaudit.algebra.ring import Polynomial, Ring
 from cuspaudit.errors import UnableError
 from cuspaudit.kinematics.exact_model import ExactModel
-from cuspaudit.kinematics.posture_chart import Chart, UnluckyChartError, cos_sin, turn
-from cuspaudit.kinematics.raghavan_roth import Arm, reversed_loop
+from cuspaudit.kinematics.loop_equations import postures_by_equations
+from cuspaudit.kinematics.loop_turns import cos_sin, turn
+from cuspaudit.kinematics.posture_chart import Chart, UnluckyChartError
+from cuspaudit.kinematics.raghavan_roth import Arm, reversed_arm, rigid_inverse
 from cuspaudit.kinematics.transform import Transform
 
 __all__ = ["GROUND", "exact_postures", "posture_sign", "real_postures"]
 
 Array = NDArray[Any]
+Found = tuple[fmpq_poly, list[fmpq_poly], tuple[str, ...]]
 
 GROUND = "Raghavan-Roth resultant, exact, with one null vector a root"
 STEP = "exact postures"
@@ -45,38 +49,46 @@ def exact_postures(
         seed: of the charts.
 
     Returns:
-        The points (t, c1, s1, ..., c6, s6), t the tangent of half of one joint in a
-        turned chart and the form of the parametrization; at most 16. Over Q(sqrt m)
+        The points (t, c1, s1, ..., c6, s6), t the form of the parametrization (mostly
+        the tangent of half of one joint in a turned chart); at most 16. Over Q(sqrt m)
         they have one more coordinate, "sqrtm", and the postures are those where it is
         positive: the others, at most 16 too, are those of the conjugate arm.
         `real_postures` are the postures of the arm, and the given one is among them.
 
     Raises:
-        UnableError: not six revolute joints; or two postures may share joint 2, and
-            two joint 5, as they do where one is singular.
+        UnableError: not six revolute joints, or out of reach, as where a posture is
+            singular.
+        NotZeroDimensionalError: infinitely many postures have this pose.
         PrecisionError: the numbers are longer than was tried.
     """
     field = QuadraticField(model.ring.radicand)
     arm = _exact_arm(field, model)
     pose = _forward(field, arm, [cos_sin(t) for t in tangents])
-    refused = UnableError(
-        STEP, "a posture stays infinite in every chart that was tried"
-    )
+    found = _by_charts(field, arm, pose, seed)
+    if found is None:
+        found = postures_by_equations(field, arm, pose, seed)
+    return _parametrization(field, *found)
+
+
+def _by_charts(field: QuadraticField, arm: Arm, pose: Array, seed: int) -> Found | None:
+    """The postures by the resultant, forwards or backwards; None where it refuses."""
     rng = np.random.default_rng(seed)
-    for backwards in (False, True):
-        if backwards:
-            arm, pose = _reduced(field, *reversed_loop(arm, pose))
+    for sense in (1, -1):
+        if sense < 0:
+            arm, pose = _reduced(field, reversed_arm(arm)), rigid_inverse(pose)
+            pose = field.reduced(pose)
         for _ in range(_TRIES):
             turns = [fmpq(int(x), 17) for x in rng.integers(-40, 40, 3)]
             try:
                 omega, rho = Chart(field, arm, pose, turns).postures(seed)
             except UnluckyChartError:
                 continue
-            except UnableError as limit:
-                refused = limit
+            except UnableError:
                 break
-            return _parametrization(field, omega, rho, -1 if backwards else 1)
-    raise refused
+            pairs = list(zip(rho[0:12:2], rho[1:12:2], strict=True))[::sense]
+            rho = [*(x for pair in pairs for x in pair), *rho[12:]]
+            return omega, rho, (GROUND,)
+    return None
 
 
 def real_postures(found: ZeroDimensionalParametrization) -> list[RealPoint]:
@@ -96,17 +108,19 @@ def posture_sign(posture: RealPoint, model: ExactModel, polynomial: Polynomial) 
 
 
 def _parametrization(
-    field: QuadraticField, omega: fmpq_poly, rho: list[fmpq_poly], sense: int
+    field: QuadraticField,
+    omega: fmpq_poly,
+    rho: list[fmpq_poly],
+    grounds: tuple[str, ...],
 ) -> ZeroDimensionalParametrization:
-    """Of the postures of a loop counted forwards (``sense`` 1) or backwards (-1)."""
     own = fmpq_poly([0, 1]) * omega.derivative() % omega
-    pairs = list(zip(rho[0:12:2], rho[1:12:2], strict=True))
-    every = (own, *(x for pair in pairs[::sense] for x in pair), *rho[12:])
     names = ["t", *(f"{x}{k}" for k in range(1, 7) for x in "cs")]
     if field.radicand is not None:
         names.append(f"sqrt{field.radicand}")
     form = (fmpq(1), *(fmpq(0) for _ in names[1:]))
-    return ZeroDimensionalParametrization(tuple(names), omega, every, form, (GROUND,))
+    return ZeroDimensionalParametrization(
+        tuple(names), omega, (own, *rho), form, grounds
+    )
 
 
 def _exact_arm(field: QuadraticField, model: ExactModel) -> Arm:
@@ -136,9 +150,9 @@ def _exact_arm(field: QuadraticField, model: ExactModel) -> Arm:
     )
 
 
-def _reduced(field: QuadraticField, arm: Arm, pose: Array) -> tuple[Arm, Array]:
+def _reduced(field: QuadraticField, arm: Arm) -> Arm:
     before = [field.reduced(step) for step in arm.before]
-    return Arm(before, arm.axes, field.reduced(arm.tool), arm.half), pose
+    return Arm(before, arm.axes, field.reduced(arm.tool), arm.half)
 
 
 def _forward(

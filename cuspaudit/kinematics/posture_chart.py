@@ -27,16 +27,23 @@ from numpy.typing import NDArray
 from cuspaudit.algebra.ideal import groebner_basis
 from cuspaudit.algebra.interpolated_points import proposed_numerators
 from cuspaudit.algebra.quadratic_matrix import QuadraticField
-from cuspaudit.algebra.ring import Polynomial, Ring
 from cuspaudit.errors import PrecisionError, RetryableError, UnableError
 from cuspaudit.kinematics.loop_closure import closes
+from cuspaudit.kinematics.loop_equations import element_in, loop_equations
+from cuspaudit.kinematics.loop_turns import (
+    arm_at,
+    closing_turn,
+    cos_sin,
+    elements_at,
+    turn,
+)
 from cuspaudit.kinematics.posture_polynomial import (
     PosturePolynomial,
     posture_polynomial,
 )
-from cuspaudit.kinematics.raghavan_roth import Arm, rigid_inverse, turned
+from cuspaudit.kinematics.raghavan_roth import Arm
 
-__all__ = ["Chart", "UnluckyChartError", "cos_sin", "turn"]
+__all__ = ["Chart", "UnluckyChartError"]
 
 Array = NDArray[Any]
 
@@ -127,20 +134,14 @@ class Chart:
 
     def _may_have_a_posture(self, found: PosturePolynomial, root: fmpq) -> bool:
         """Whether 1 is not in the ideal of the loop's equations with u = ``root``."""
-        names = [f"{x}{k}" for k in (3, 4, 6, 1) for x in "cs"]
-        ring = Ring([*names, "surd"])
-        third, fourth, sixth, base = (_basis(ring, k) for k in (3, 4, 6, 1))
+        side = found.side.reshape(14, 3, 3)
+        ring, equations = loop_equations(self.field, found.fifth, side)
         t = root if self.field.radicand is None else fmpq_poly([root, 1])
-        second = np.empty(3, dtype=object)
-        second[:] = 1 + t * t, 1 - t * t, 2 * t
-        left = self.field.reduced(np.tensordot(found.fifth, second, (1, 0)))
-        right, below = found.side.reshape(14, 3, 3), _constant(ring, second[0])
-        equations = [
-            _bilinear(ring, x, third, fourth) - below * _bilinear(ring, y, sixth, base)
-            for x, y in zip(left, right, strict=True)
-        ]
-        equations += [c * c + s * s - 1 for _, c, s in (third, fourth, sixth, base)]
-        equations.append(ring.gen("surd") ** 2 - (self.field.radicand or 0))
+        below, c, s = (
+            element_in(ring, self.field.reduced_element(x))
+            for x in (1 + t * t, 1 - t * t, 2 * t)
+        )
+        equations += [below * ring.gen("c2") - c, below * ring.gen("s2") - s]
         try:
             basis = groebner_basis(ring, equations)
         except UnableError:
@@ -161,43 +162,20 @@ class Chart:
             surd = acb_poly(found.null[0, 0])(root) / one
         tangents = [root + (surd or 0), third / one, fourth / one]
         middle = [cos_sin(t) for t in tangents]
-        right = _at(found.fifth, surd)
+        right = elements_at(found.fifth, surd)
         for c, s in reversed(middle):
             right = right @ np.array([acb(1), c, s], dtype=object)
-        outer = _at(found.outer, surd)
+        outer = elements_at(found.outer, surd)
         c1, s1, c6, s6 = outer[:, 0] + outer[:, 1:] @ right
         own = [
             _difference(pair, cos_sin(angle))
             for pair, angle in zip(middle, self.turns, strict=True)
         ]
-        arm, pose = self._arm_at(surd)
-        ahead = _product(arm, [(c1, s1), *own]) @ arm.before[4]
-        back = arm.before[5] @ turn(arm, 5, c6, s6) @ arm.tool
-        fifth = _turn_of(rigid_inverse(ahead) @ pose @ rigid_inverse(back), arm.axes[4])
+        others = dict(zip((1, 2, 3, 4, 6), [(c1, s1), *own, (c6, s6)], strict=True))
+        arm, pose = arm_at(self.arm, surd), elements_at(self.pose, surd)
+        fifth = closing_turn(arm, pose, others)
         pairs = [(c1, s1), *own, fifth, (c6, s6)]
         return [*(x for pair in pairs for x in pair), *([surd] if surd else [])]
-
-    def _arm_at(self, surd: acb | None) -> tuple[Arm, Array]:
-        arm = Arm(
-            [_at(step, surd) for step in self.arm.before],
-            [_at(axis, surd) for axis in self.arm.axes],
-            _at(self.arm.tool, surd),
-            self.arm.half,
-        )
-        return arm, _at(self.pose, surd)
-
-
-def turn(arm: Arm, k: int, c: Any, s: Any) -> Array:
-    """The motion of joint k, counted from 0, by the angle of cosine c and sine s."""
-    entries = np.empty(2, dtype=object)
-    entries[:] = c, s
-    return np.asarray(turned(arm.axes[k], entries[:1], entries[1:])[0])
-
-
-def cos_sin(tangent: Any) -> tuple[Any, Any]:
-    """Cosine and sine of twice the angle with this tangent."""
-    below = 1 / (1 + tangent * tangent)
-    return (1 - tangent * tangent) * below, 2 * tangent * below
 
 
 def _roots(omega: fmpq_poly) -> list[acb]:
@@ -205,56 +183,7 @@ def _roots(omega: fmpq_poly) -> list[acb]:
     return [root for root, _ in found]
 
 
-def _at(array: Array, surd: acb | None) -> Array:
-    """Elements of K with a value for sqrt m; as they are over Q."""
-    if surd is None:
-        return array
-    result = np.empty(array.size, dtype=object)
-    for k, entry in enumerate(array.ravel()):
-        a = fmpq_poly([1]) * entry
-        result[k] = surd * a[1] + a[0]
-    return result.reshape(array.shape)
-
-
-def _product(arm: Arm, pairs: Sequence[tuple[acb, acb]]) -> Array:
-    placed = np.eye(4, dtype=object)
-    for k, (c, s) in enumerate(pairs):
-        placed = placed @ arm.before[k] @ turn(arm, k, c, s)
-    return placed
-
-
-def _turn_of(rotation: Array, axis: Array) -> tuple[acb, acb]:
-    """(c, s) of a rotation about ``axis``: trace 1 + 2 c, skew part s [axis]_x."""
-    r = rotation
-    skew = [r[2, 1] - r[1, 2], r[0, 2] - r[2, 0], r[1, 0] - r[0, 1]]
-    c = (r[0, 0] + r[1, 1] + r[2, 2] - 1) / 2
-    return c, sum((x * a for x, a in zip(skew, axis, strict=True)), acb(0)) / 2
-
-
 def _difference(pair: tuple[acb, acb], angle: tuple[fmpq, fmpq]) -> tuple[acb, acb]:
     """(c, s) of the sum of the two angles."""
     (c, s), (a, b) = pair, angle
     return c * a - s * b, s * a + c * b
-
-
-def _basis(ring: Ring, joint: int) -> tuple[Polynomial, Polynomial, Polynomial]:
-    return ring.constant(1), ring.gen(f"c{joint}"), ring.gen(f"s{joint}")
-
-
-def _bilinear(
-    ring: Ring,
-    coefficients: Array,
-    left: tuple[Polynomial, ...],
-    right: tuple[Polynomial, ...],
-) -> Polynomial:
-    """The sum of left_i coefficient_ij right_j."""
-    return ring.total(
-        left[i] * right[j] * _constant(ring, coefficients[i, j])
-        for i, j in np.ndindex(3, 3)
-    )
-
-
-def _constant(ring: Ring, element: Any) -> Polynomial:
-    """An element of K, its sqrt m the variable surd."""
-    a = fmpq_poly([1]) * element
-    return ring.constant(a[0]) + ring.gen("surd") * ring.constant(a[1])

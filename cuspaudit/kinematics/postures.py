@@ -25,6 +25,7 @@ from cuspaudit.kinematics.raghavan_roth import (
     closed,
     fifth_axis,
     first_side,
+    reversed_arm,
     rigid_inverse,
     turned,
 )
@@ -103,12 +104,22 @@ class PostureSolver:
             UnableError: the elimination degenerates for this arm.
         """
         found = self._from(self, poses)
-        again = [k for k, postures in enumerate(found) if self._is_short(postures)]
-        if again:
-            retried = self._from(self._nudged, poses[again])
-            for k, postures in zip(again, retried, strict=True):
+        for others in (self._backwards, lambda some: self._from(self._nudged, some)):
+            again = [k for k, postures in enumerate(found) if self._is_short(postures)]
+            if not again:
+                break
+            for k, postures in zip(again, others(poses[again]), strict=True):
                 found[k] = _distinct(np.vstack([found[k], postures]))
         return found
+
+    def _backwards(self, poses: Array) -> list[Array]:
+        """From tip to base: the roots are those of joint 5, two sides of a wrist."""
+        solver = PostureSolver(reversed_arm(self.arm), self.scale)
+        try:
+            found = solver._from(solver, rigid_inverse(poses))
+        except UnableError:
+            return [np.zeros((0, 6))] * len(poses)
+        return [postures[:, ::-1] for postures in found]
 
     def _is_short(self, postures: Array) -> bool:
         """Whether some are certainly lost (none at all is suspect)."""

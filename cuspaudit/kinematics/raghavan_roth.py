@@ -33,7 +33,7 @@ __all__ = [
     "closed",
     "fifth_axis",
     "first_side",
-    "reversed_loop",
+    "reversed_arm",
     "rigid_inverse",
     "turned",
 ]
@@ -99,15 +99,14 @@ def closed(arm: Arm, pose: Array) -> Array:
     return arm.tool @ rigid_inverse(pose) @ arm.before[0]
 
 
-def reversed_loop(arm: Arm, pose: Array) -> tuple[Arm, Array]:
-    """The same closed loop counted backwards, and its pose.
+def reversed_arm(arm: Arm) -> Arm:
+    """The arm from tip to base, whose pose is the inverse.
 
     Its joint k is joint 7 - k of ``arm``, with the same angle.
     """
-    links = [rigid_inverse(link) for link in (*arm.before[1:], closed(arm, pose))]
-    one = np.eye(4, dtype=int).astype(object)
-    axes = [-axis for axis in arm.axes]
-    return Arm([one, *links[4::-1]], axes[::-1], links[5], arm.half), one
+    tool, *before = (rigid_inverse(step) for step in (*arm.before, arm.tool))
+    axes = [-axis for axis in reversed(arm.axes)]
+    return Arm(before[::-1], axes, tool, arm.half)
 
 
 def fifth_axis(arm: Arm) -> Array:

@@ -62,6 +62,16 @@ def test_the_given_posture_is_found_again(name: str) -> None:
         assert len(found) <= 16
 
 
+def test_both_sides_of_a_wrist_are_found() -> None:
+    """They share joint 2, a double root that is settled badly, and differ in joint 5."""
+    solver = PostureSolver.of(chain_of("puma-560"))
+    given = np.random.default_rng(1).uniform(-np.pi, np.pi, (60, 6))
+    for posture, found in zip(given, solver.solve(solver.poses(given)), strict=True):
+        assert len(found)
+        assert distance(found, posture) < 1e-8
+        assert is_even(solver.determinants(found))
+
+
 @pytest.mark.parametrize("name", GENERAL)
 def test_all_postures_have_one_pose(name: str) -> None:
     """The forward kinematics of the chain takes every posture to the given pose."""
