@@ -27,7 +27,13 @@ from cuspaudit.kinematics.posture_chart import Chart, UnluckyChartError
 from cuspaudit.kinematics.raghavan_roth import Arm, reversed_arm, rigid_inverse
 from cuspaudit.kinematics.transform import Transform
 
-__all__ = ["GROUND", "exact_postures", "posture_sign", "real_postures"]
+__all__ = [
+    "GROUND",
+    "arm_and_pose",
+    "exact_postures",
+    "posture_sign",
+    "real_postures",
+]
 
 Array = NDArray[Any]
 Found = tuple[fmpq_poly, list[fmpq_poly], tuple[str, ...]]
@@ -61,9 +67,7 @@ def exact_postures(
         NotZeroDimensionalError: infinitely many postures have this pose.
         PrecisionError: the numbers are longer than was tried.
     """
-    field = QuadraticField(model.ring.radicand)
-    arm = _exact_arm(field, model)
-    pose = _forward(field, arm, [cos_sin(t) for t in tangents])
+    field, arm, pose = arm_and_pose(model, tangents)
     found = _by_charts(field, arm, pose, seed)
     if found is None:
         found = postures_by_equations(field, arm, pose, seed)
@@ -89,6 +93,19 @@ def _by_charts(field: QuadraticField, arm: Arm, pose: Array, seed: int) -> Found
             rho = [*(x for pair in pairs for x in pair), *rho[12:]]
             return omega, rho, (GROUND,)
     return None
+
+
+def arm_and_pose(
+    model: ExactModel, tangents: Sequence[fmpq]
+) -> tuple[QuadraticField, Arm, Array]:
+    """K, the arm over it, and the pose of a rational posture.
+
+    Raises:
+        UnableError: not six revolute joints.
+    """
+    field = QuadraticField(model.ring.radicand)
+    arm = _exact_arm(field, model)
+    return field, arm, _forward(field, arm, [cos_sin(t) for t in tangents])
 
 
 def real_postures(found: ZeroDimensionalParametrization) -> list[RealPoint]:

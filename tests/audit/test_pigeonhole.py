@@ -1,6 +1,7 @@
 from __future__ import annotations
 
 import json
+from fractions import Fraction
 from pathlib import Path
 
 import jsonschema
@@ -9,6 +10,7 @@ import pytest
 from flint import fmpq
 
 import cuspaudit
+from cuspaudit.algebra.ring import rational
 from cuspaudit.audit import report as module
 from cuspaudit.audit.answer import answer
 from cuspaudit.audit.aspects import count_aspects
@@ -23,7 +25,7 @@ from cuspaudit.audit.report import audit
 from cuspaudit.audit.six_joint_witness import crowd_of, needs_search
 from cuspaudit.errors import UnableError
 from cuspaudit.kinematics.exact_model import ExactModel, exact_model
-from cuspaudit.kinematics.frames import frames, jacobian
+from cuspaudit.kinematics.frames import angle_value, frames, jacobian
 
 SCHEMA = Path(cuspaudit.__file__).parent / "audit" / "schema.json"
 
@@ -54,6 +56,19 @@ def test_cobots_crowd_an_aspect(name: str) -> None:
             assert crowded_aspects(found)
             return
     pytest.fail("no pose with more than two postures")
+
+
+def test_the_published_pose_of_the_jaco() -> None:
+    """Its 12 postures lie in two aspects, six in each [Salunkhe 2023].
+
+    Twists within 1e-4 rad, the posture within 1e-3: the exact numbers are then short.
+    """
+    model = exact_model(open_robot("kinova-jaco-gen2").chain, Fraction(1, 10**4))
+    zeros = np.array([angle_value(joint.zero) for joint in model.joints])
+    given = np.array([3.0675, 1.0545, 1.309, 2.4283, -1.2305, -2.3002]) + zeros
+    tangents = [Fraction(x).limit_denominator(1000) for x in np.tan(given / 2)]
+    found = postures_by_aspect(model, [rational(t) for t in tangents])
+    assert [len(here) for here in found.values()] == [6, 6]
 
 
 def test_no_aspect_of_a_ur5_holds_two_postures_of_a_pose() -> None:

@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 from cuspaudit.audit.library import open_robot
-from cuspaudit.audit.report import Audit, audit
+from cuspaudit.audit.report import Audit, Options, audit
 from cuspaudit.audit.witness import Witness
 from cuspaudit.certificate import (
     Certificate,
@@ -21,6 +21,7 @@ from cuspaudit.certificate import (
     verify,
 )
 from cuspaudit.errors import CuspauditError
+from cuspaudit.kinematics.snap_policy import policy_from_name
 
 WORKERS = 2
 MOST_UNDECIDED = 5
@@ -111,6 +112,21 @@ def _clearance(witness: Witness | None) -> str:
 def _table(rows: list[Row]) -> str:
     lines = [HEAD, ("---",) * len(HEAD), *((row.arm, *row.cells) for row in rows)]
     return "".join(f"| {' | '.join(line)} |\n" for line in lines)
+
+
+@pytest.mark.slow
+def test_piper_is_cuspidal_by_a_hair(corpus: Path, tmp_path: Path) -> None:
+    """Its file has a wrist offset of 1.4 mm: cuspidal, with clearance 0.001.
+
+    Where 2 mm count as nothing it has a spherical wrist, and is noncuspidal.
+    """
+    tolerances = tmp_path / "tolerances.yaml"
+    tolerances.write_text("length: 2e-3\n")
+    robot = open_robot(corpus / "urdf" / "agilex_piper.urdf", tip="link6")
+    policy = policy_from_name(str(tolerances))
+    found = audit(robot, Options(snap=policy)).record()
+    assert found["models"] == {"literal": "cuspidal", "snapped": "noncuspidal"}
+    assert 0 < found["literal_witness"]["clearance"] < 0.002
 
 
 @pytest.mark.slow

@@ -63,7 +63,7 @@ def test_the_given_posture_is_found_again(name: str) -> None:
 
 
 def test_both_sides_of_a_wrist_are_found() -> None:
-    """They share joint 2, a double root that is settled badly, and differ in joint 5."""
+    """They share joint 2, a double root settled badly, and differ in joint 5."""
     solver = PostureSolver.of(chain_of("puma-560"))
     given = np.random.default_rng(1).uniform(-np.pi, np.pi, (60, 6))
     for posture, found in zip(given, solver.solve(solver.poses(given)), strict=True):
