@@ -36,6 +36,7 @@ from cuspaudit.algebra.trigonometric import (
 )
 from cuspaudit.errors import DegenerateMapError, UnableError
 from cuspaudit.geometry.torus_arcs import Arcs, arcs
+from cuspaudit.geometry.torus_halves import Halves, halves
 from cuspaudit.geometry.torus_walls import Walls
 
 __all__ = ["HalfCircles", "TorusComponents", "torus_components"]
@@ -103,7 +104,7 @@ class TorusComponents:
 
     ring: Ring
     function: Polynomial
-    parts: tuple[HalfCircles | Arcs, ...]
+    parts: tuple[HalfCircles | Halves | Arcs, ...]
 
     @cached_property
     def number_of_components(self) -> int:
@@ -159,7 +160,8 @@ def torus_components(
         circles: (c_i, s_i), pairs of variables of ``ring``; the torus.
         function: h, a polynomial in these variables.
         timeout: in seconds of processor time, for each cover of a factor that is not
-            linear along a circle; without it no cover is tried.
+            linear along a circle, or for each two halves of one; without it no cover
+            is tried.
 
     Guarantee: the number is proved, on the result's ``grounds``.
 
@@ -207,7 +209,7 @@ def _part(
     circles: Sequence[Circle],
     function: Polynomial,
     timeout: float | None,
-) -> HalfCircles | Arcs:
+) -> HalfCircles | Halves | Arcs:
     function = reduce_on_circles(ring, circles, function)
     if len(circles) == 1:
         forms = common_forms(ring, circles, function, function)
@@ -220,7 +222,8 @@ def _part(
             forms = common_forms(ring, base, p, q)
             return HalfCircles(ring, function, fiber, (p, q), _walls(ring, base, forms))
     if timeout is not None:
-        return arcs(ring, circles, function, timeout)
+        found = halves(ring, circles, function, timeout / 2)
+        return found or arcs(ring, circles, function, timeout)
     raise UnableError("torus_components", "a factor is linear along no circle")
 
 

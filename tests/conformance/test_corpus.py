@@ -11,6 +11,7 @@ from pathlib import Path
 
 import pytest
 
+from cuspaudit.audit.aspects import count_aspects
 from cuspaudit.audit.library import open_robot
 from cuspaudit.audit.report import Audit, Options, audit
 from cuspaudit.audit.witness import Witness
@@ -21,7 +22,10 @@ from cuspaudit.certificate import (
     verify,
 )
 from cuspaudit.errors import CuspauditError
+from cuspaudit.kinematics.exact_model import exact_model
 from cuspaudit.kinematics.snap_policy import policy_from_name
+from cuspaudit.kinematics.snapping import snap
+from cuspaudit.surface.cusps import Count
 
 WORKERS = 2
 MOST_UNDECIDED = 5
@@ -127,6 +131,13 @@ def test_piper_is_cuspidal_by_a_hair(corpus: Path, tmp_path: Path) -> None:
     found = audit(robot, Options(snap=policy)).record()
     assert found["models"] == {"literal": "cuspidal", "snapped": "noncuspidal"}
     assert 0 < found["literal_witness"]["clearance"] < 0.002
+
+
+@pytest.mark.slow
+def test_the_toolbox_irb140_has_four_aspects(corpus: Path) -> None:
+    """Its det J is c3 times a factor that is connected for each sign of both."""
+    robot = open_robot(corpus / "urdf" / "abb_irb140_rtb.urdf")
+    assert count_aspects(exact_model(snap(robot.chain)[0]), 60) == Count(4, True)
 
 
 @pytest.mark.slow
