@@ -62,7 +62,12 @@ class Crowd:
     def postures(self) -> list[list[float]]:
         """Two postures in one aspect, joint values in rad, rounded."""
         shared = max(self.aspects.values(), key=len)
-        return [self._angles(posture) for posture in shared[:2]]
+        return [self._angles(posture)[: self._joints] for posture in shared[:2]]
+
+    @property
+    def _joints(self) -> int:
+        """The number of joints that a motor moves; they come first."""
+        return sum(not joint.is_virtual for joint in self.model.chain.joints)
 
     def _angles(self, posture: RealPoint) -> list[float]:
         ball = posture.ball(_BITS)
@@ -89,7 +94,7 @@ class Crowd:
     def record(self) -> dict[str, Any]:
         """The pose and the two postures, for the JSON of an audit."""
         return {
-            "half_angle_tangents": [str(t) for t in self.tangents],
+            "half_angle_tangents": [str(t) for t in self.tangents[: self._joints]],
             "count": sum(map(len, self.aspects.values())),
             "in_one_aspect": max(map(len, self.aspects.values())),
             "postures": self.postures,

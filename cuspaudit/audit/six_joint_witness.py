@@ -65,8 +65,7 @@ def crowd_of(
 ) -> Crowd | None:
     """A pose with two postures in one aspect, exactly; None when none was met.
 
-    A model that only comes near the arm is not asked: it would speak of another arm,
-    and its numbers are long (33 s where an axis is read from six decimals).
+    A model that only comes near the arm is not asked: it would speak of another arm.
 
     Args:
         found: an answer that `needs_search`.
