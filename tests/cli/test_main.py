@@ -228,6 +228,7 @@ def test_check_compares_with_the_recorded_verdict(
     assert 'failures="1"' in report.read_text()
 
 
+@pytest.mark.slow
 def test_every_robot_of_ours_matches_its_record(
     capsys: pytest.CaptureFixture[str],
 ) -> None:
