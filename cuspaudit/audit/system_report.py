@@ -9,7 +9,7 @@ from typing import Any
 from cuspaudit.algebra.parametrization import RealPoint
 from cuspaudit.algebra.ring import Polynomial
 from cuspaudit.audit.apart import run_apart
-from cuspaudit.audit.report import PACKAGES, SCHEMA
+from cuspaudit.audit.record import PACKAGES, SCHEMA
 from cuspaudit.audit.system_file import SystemFile
 from cuspaudit.audit.versions import versions
 from cuspaudit.cuspidality.decision import Decision, Engine, decide

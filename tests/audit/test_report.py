@@ -13,9 +13,11 @@ import pytest
 from short_tables import Number, arm, with_wrist
 
 import cuspaudit
+from cuspaudit.audit import record as record_module
 from cuspaudit.audit import report as module
 from cuspaudit.audit.library import open_robot
-from cuspaudit.audit.report import SCHEMA, Audit, Options, audit
+from cuspaudit.audit.record import SCHEMA
+from cuspaudit.audit.report import Audit, Options, audit
 from cuspaudit.certificate import verify
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import DegenerateMapError, UnableError
@@ -293,7 +295,7 @@ def _quarter() -> Angle:
 
 def test_an_absent_package_has_no_version(monkeypatch: pytest.MonkeyPatch) -> None:
     """Versions of what is not installed are null."""
-    monkeypatch.setattr(module, "PACKAGES", ("no-such-package",))
+    monkeypatch.setattr(record_module, "PACKAGES", ("no-such-package",))
     versions = audit(open_robot("baili-2004-wt1")).record()["versions"]
     assert versions["no-such-package"] is None
     assert versions["cuspaudit"] == cuspaudit.__version__
