@@ -15,6 +15,7 @@ from cuspaudit.certificate.model import (
     Task,
     Translate,
     check_certificate,
+    printable,
 )
 
 __all__ = [
@@ -27,6 +28,7 @@ __all__ = [
     "Verification",
     "certificate_from_text",
     "check_certificate",
+    "printable",
     "read_certificate",
     "text_from_certificate",
     "verify",

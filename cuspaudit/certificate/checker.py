@@ -35,7 +35,7 @@ from cuspaudit.certificate.krawczyk import (
     PostureBox,
     true_posture,
 )
-from cuspaudit.certificate.model import Certificate, check_certificate
+from cuspaudit.certificate.model import Certificate, check_certificate, printable
 
 __all__ = ["Verification", "verify"]
 
@@ -123,7 +123,7 @@ class _Proof:
 
     def _place(self) -> str:
         if self.certificate.task == "position-and-axis":
-            virtual = self.certificate.joints[-1].name
+            virtual = printable(self.certificate.joints[-1].name)
             return f"one position and tool axis (the last joint, {virtual}, is virtual)"
         return "one pose"
 

@@ -31,6 +31,7 @@ __all__ = [
     "Translate",
     "Vector",
     "check_certificate",
+    "printable",
 ]
 
 Vector = tuple[Fraction, Fraction, Fraction]
@@ -108,6 +109,18 @@ class Certificate:
     postures: tuple[Posture, Posture]
     path: tuple[Posture, ...]
     made_by: str = ""
+
+
+def printable(name: str) -> str:
+    r"""``name`` on one line, its control characters written out.
+
+    The names of a file are its author's: printed as they stand, one could overwrite
+    the checker's answer on a terminal.
+
+    >>> printable("arm"), printable("arm\raccepted")
+    ('arm', 'arm\\raccepted')
+    """
+    return name if name.isprintable() else repr(name)[1:-1]
 
 
 def check_certificate(certificate: Certificate, file: str = "certificate") -> None:

@@ -19,7 +19,7 @@ def verify(
     ] = False,
 ) -> None:
     """Re-prove a witness from the certificate alone, in ball arithmetic."""
-    from cuspaudit.certificate import read_certificate
+    from cuspaudit.certificate import printable, read_certificate
     from cuspaudit.certificate import verify as prove
 
     claim = read_certificate(certificate)
@@ -28,5 +28,5 @@ def verify(
         typer.echo(json.dumps({"file": str(certificate), **asdict(result)}, indent=1))
     else:
         word = "accepted" if result.accepted else "REJECTED"
-        typer.echo(f"{word}: {claim.robot_name}: {result.reason}")
+        typer.echo(f"{word}: {printable(claim.robot_name)}: {result.reason}")
     raise typer.Exit(0 if result.accepted else 1)

@@ -82,15 +82,17 @@ def test_audit_writes_files_that_verify(
 def test_verify_rejects_a_flipped_sign(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """A certificate with the other sign exits 1 and says which posture refutes it."""
+    """A certificate with the other sign exits 1, in one line whatever its name is."""
     proof = tmp_path / "c.json"
     run("audit", "chablat-2022-3r", "--certificate", proof, capsys=capsys)
     claim = json.loads(proof.read_text())
     claim["sign"] = -claim["sign"]
+    claim["robot"]["name"] = "arm\raccepted\naccepted: arm"
     proof.write_text(json.dumps(claim))
     status, out, _ = run("verify", proof, capsys=capsys)
     assert status == 1
     assert out.startswith("REJECTED")
+    assert out.strip().isprintable()
 
 
 def test_show_writes_the_page_of_a_saved_audit(
