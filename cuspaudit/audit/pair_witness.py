@@ -32,7 +32,7 @@ def not_asked(model: ExactModel) -> Answer:
     """
     if jacobian_determinant(model) == 0:
         raise DegenerateMapError("det J vanishes at every posture")
-    why = "pairs of postures prove no general six-joint arm noncuspidal"
+    why = "pairs prove no arm noncuspidal that does not reduce to three joints"
     settle = "another engine, or a proof that no maximum over pairs was missed"
     reason = Undecided("pairs", why, (), settle)
     aspects = count_aspects(model)
