@@ -118,7 +118,10 @@ def _compare(
         for key, value in wanted.items()
         if found[key] is not None and found[key] != value
     ]
-    return ("mismatch", "; ".join(wrong)) if wrong else ("ok", text)
+    if wrong:
+        return "mismatch", "; ".join(wrong)
+    unproved = [f"{k} {v}" for k, v in wanted.items() if found[k] is None]
+    return "ok", "; not proved: ".join(filter(None, (text, ", ".join(unproved))))
 
 
 def junit(results: list[Checked]) -> str:

@@ -230,6 +230,22 @@ def test_check_compares_with_the_recorded_verdict(
     assert 'failures="1"' in report.read_text()
 
 
+def test_check_says_which_recorded_counts_are_not_proved(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A count that no theorem gives is neither a mismatch nor silently confirmed."""
+    robot = tmp_path / "pallet.yaml"
+    pitch = "  - {type: revolute, a: 1, alpha: 0, d: 0}\n"
+    robot.write_text(
+        "name: pallet\nconvention: standard\nunits: m\njoints:\n"
+        "  - {type: revolute, a: 1, alpha: pi/2, d: 0}\n"
+        f"{3 * pitch}expect: {{verdict: noncuspidal, max_postures: 9}}\n"
+    )
+    status, out, _ = run("check", robot, capsys=capsys)
+    assert status == 0
+    assert "not proved: max_postures 9" in out
+
+
 @pytest.mark.slow
 def test_every_robot_of_ours_matches_its_record(
     capsys: pytest.CaptureFixture[str],
