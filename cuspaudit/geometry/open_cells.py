@@ -309,8 +309,8 @@ def _window(
                 ends += [here - arb(width), here + arb(width)]
             if any(end.overlaps(here) for end in ends):
                 continue
-            low = max((e for e in ends if e < here), key=lambda e: e.mid())
-            high = min((e for e in ends if e > here), key=lambda e: e.mid())
+            low = max((e for e in ends if e < here), key=lambda e: e.upper())
+            high = min((e for e in ends if e > here), key=lambda e: e.lower())
             return next(rationals_between(low, here)), next(
                 rationals_between(here, high)
             )
