@@ -120,8 +120,8 @@ def isolated_real_roots(polynomial: Univariate) -> list[arb]:
     """Balls of the real roots of a polynomial with simple roots, increasing.
 
     Over Q(sqrt m) the complex roots are isolated with ball coefficients, to half of
-    the working precision; a root whose ball meets the real axis is real, since its
-    conjugate lies in the same ball.
+    the working precision. Where the mirror image of a ball that meets the real axis
+    meets no other ball, its root is real: the conjugate has no other ball to lie in.
 
     Raises:
         PrecisionError: the roots were not separated.
@@ -137,8 +137,9 @@ def isolated_real_roots(polynomial: Univariate) -> list[arb]:
                 )
             except ValueError:
                 continue
-            balls = [root.real for root in found if root.imag.contains(0)]
-            return sorted(balls, key=lambda ball: ball.mid())
+            near = [root for root in found if root.imag.contains(0)]
+            if all(sum(r.conjugate().overlaps(s) for s in found) == 1 for r in near):
+                return sorted((r.real for r in near), key=lambda ball: ball.mid())
     finally:
         ctx.prec = saved
     raise PrecisionError("roots of a fiber polynomial", PRECISIONS[-1])
