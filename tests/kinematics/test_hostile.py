@@ -5,7 +5,9 @@ from pathlib import Path
 
 import pytest
 
-from cuspaudit.errors import CuspauditError
+from cuspaudit.errors import CuspauditError, NoAngleError
+from cuspaudit.kinematics.exact_model import exact_model
+from cuspaudit.kinematics.polynomial_map import place
 from cuspaudit.kinematics.reading import read_robot
 from cuspaudit.kinematics.robot import Robot
 from cuspaudit.kinematics.snapping import snap
@@ -25,7 +27,7 @@ def rows(corpus: Path) -> list[dict[str, str]]:
 
 
 def answer(path: Path) -> Robot | str:
-    """The robot, or the one line that refuses it.
+    """The robot, or the one line that refuses it; of four joints when it has an angle.
 
     The tables name neither convention nor unit; a user states them on the command.
     """
@@ -37,6 +39,10 @@ def answer(path: Path) -> Robot | str:
             angle_unit="rad" if table else None,
         )
         check_task(robot.chain, robot.file)
+        if robot.chain.task == "position-and-angle":
+            place(exact_model(snap(robot.chain)[0]))
+    except NoAngleError as error:
+        return str(NoAngleError(error.joints, robot.file))
     except CuspauditError as error:
         return str(error)
     return robot
