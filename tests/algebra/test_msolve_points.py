@@ -62,3 +62,11 @@ def test_no_solution_and_infinitely_many() -> None:
     assert msolve_points(RING, [X, X - 1], ("x", "y"), 10, 1).degree == 0
     with pytest.raises(UnableError, match="infinitely many"):
         msolve_points(RING, [X * Y], ("x", "y"), 10, 1)
+
+
+def test_a_form_that_does_not_separate_is_followed_by_another() -> None:
+    """Pairs of roots of t^6 - t - 1: with this seed the first form is symmetric."""
+    ring = Ring(["x", "y", "v"])
+    x, y, v = ring.gens
+    system = [x**6 - x - 1, y**6 - y - 1, v * x - 1]
+    assert msolve_points(ring, system, ("x", "y"), 10, seed=5).degree == 36

@@ -134,3 +134,11 @@ def test_samples_lie_in_their_cells() -> None:
     """Every sample is found in the cell that it stands for."""
     cells = open_cells(SPACE, [A**2 + B**2 + C**2 - 1], ("x", "y", "z"))
     assert all(cells.cell(point) == cell for cell, point in cells.samples.items())
+
+
+def test_a_contact_shrinks_to_any_width() -> None:
+    """Past the 53 bits of a double too, its root stays between its ends."""
+    contact = next(c for c in open_cells(PLANE, [Y**2 - 2], ("x", "y")).contacts)
+    ends = [end[contact.axis] for end in contact.shrunk(fmpq(1, 2**200)).ends]
+    assert 0 < ends[1] - ends[0] < fmpq(1, 2**199)
+    assert ends[0] ** 2 < 2 < ends[1] ** 2 or ends[1] ** 2 < 2 < ends[0] ** 2

@@ -1,6 +1,7 @@
 from __future__ import annotations
 
 import random
+import sys
 from itertools import pairwise
 
 import networkx as nx
@@ -15,6 +16,7 @@ from cuspaudit.algebra.zero_dimensional import solve_zero_dimensional
 from cuspaudit.cuspidality.surface_decision import decide_surface
 from cuspaudit.errors import NotOnVarietyError, UnableError
 from cuspaudit.geometry.crit import crit
+from cuspaudit.geometry.landscape import Landscape
 from cuspaudit.geometry.routing import Routing, morse_graph, routing
 from cuspaudit.surface.graph_isotop import graph_isotop
 from cuspaudit.surface.surface import Surface, product_factors
@@ -324,3 +326,21 @@ def test_aspects_of_random_arms(seed: int) -> None:
 def decimal(tenths: int) -> str:
     """A number of tenths as a decimal."""
     return f"{tenths / 10}"
+
+
+def test_a_height_whose_critical_points_are_not_listed_is_followed_by_another(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """The next weight gives the components; without any, why is said."""
+    module = sys.modules["cuspaudit.geometry.routing"]
+    true, tried = module.critical_points, []
+
+    def unable(landscape: Landscape, *rest: float) -> object:
+        tried.append(landscape.height.decay)
+        if len(tried) == 1:
+            raise UnableError("solve_zero_dimensional", "not listed")
+        return true(landscape, *rest)
+
+    monkeypatch.setattr(module, "critical_points", unable)
+    assert morse_graph(SPHERE, 2, [X]).number_of_components == 2
+    assert tried == [0, 1]
