@@ -1,6 +1,7 @@
 from __future__ import annotations
 
 import math
+from fractions import Fraction
 
 import numpy as np
 import pytest
@@ -20,9 +21,9 @@ numbers = st.fractions(-3, 3, max_denominator=9)
 
 @settings(max_examples=25, deadline=None)
 @given(numbers, numbers)
-def test_values_are_those_of_exact_substitution(a: object, b: object) -> None:
+def test_values_are_those_of_exact_substitution(a: Fraction, b: Fraction) -> None:
     """Balls hold the exact value, doubles are close to it."""
-    at = [fmpq(v.numerator, v.denominator) for v in (a, b)]  # type: ignore[attr-defined]
+    at = [fmpq(v.numerator, v.denominator) for v in (a, b)]
     exact = [p(*at) for p in SOME]
     evaluator = Evaluator(RING, SOME)
     with ctx.workprec(200):

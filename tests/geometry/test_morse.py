@@ -105,13 +105,14 @@ def test_the_exits_of_a_saddle_lead_to_both_maxima() -> None:
     """From (0, 1, 0) to (1, 0, 0) and (-1, 0, 0), always above the saddle."""
     saddle = critical_point(HILLS, ball(0, 1, 0))
     tops = [critical_point(HILLS, ball(sign, 0, 0)) for sign in (1, -1)]
-    basins = [basin(HILLS, top) for top in tops if top]
-    assert saddle is not None
+    found = [basin(HILLS, top) for top in tops if top]
+    basins = [near for near in found if near is not None]
+    assert saddle is not None and len(basins) == 2
     pair = exits(HILLS, saddle)
     assert pair is not None
     reached = set()
     for exit_ in pair:
-        way = prove_ascent(HILLS, exit_.end, saddle.level, basins, seed=1)  # type: ignore[arg-type]
+        way = prove_ascent(HILLS, exit_.end, saddle.level, basins, seed=1)
         assert way is not None
         reached.add(way.top)
         for step in way.steps:
@@ -127,8 +128,9 @@ def test_an_ascent_below_its_level_is_refused() -> None:
     top = critical_point(HILLS, ball(1, 0, 0))
     assert top is not None
     found = basin(HILLS, top)
+    assert found is not None
     start = [arb(0.28), arb(0.96), arb(0)]
-    assert prove_ascent(HILLS, tuple(start), arb(1.47), [found], 1) is None  # type: ignore[list-item]
+    assert prove_ascent(HILLS, tuple(start), arb(1.47), [found], 1) is None
 
 
 def test_a_climb_goes_up_and_ends_at_a_maximum() -> None:
