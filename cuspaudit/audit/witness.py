@@ -20,8 +20,8 @@ from cuspaudit.audit.lift import (
     wrist_spread,
 )
 from cuspaudit.certificate import (
-    Certificate,
     CertifiedJoint,
+    PathCertificate,
     Rotate,
     Task,
     Translate,
@@ -58,7 +58,7 @@ class Witness:
     path: Array
     sign: int
     clearance: float | None
-    certificate: Certificate
+    certificate: PathCertificate
     verification: Verification
 
 
@@ -104,10 +104,10 @@ def certified(chain: Chain, path: Array, largest: float | None = None) -> Witnes
     return Witness(chain, path, sign, clearance, certificate, verification)
 
 
-def certificate_of(chain: Chain, sign: int, path: Array) -> Certificate:
+def certificate_of(chain: Chain, sign: int, path: Array) -> PathCertificate:
     """The certificate that states: this path of this chain keeps ``sign`` of det J."""
     points = tuple(tuple(Fraction(repr(float(v))) for v in row) for row in path)
-    return Certificate(
+    return PathCertificate(
         robot_name=chain.name,
         task=_task(chain),
         unit=chain.unit,

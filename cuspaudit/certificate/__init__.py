@@ -1,4 +1,4 @@
-"""The certificate of a witness and its checker, in ball arithmetic."""
+"""Certificates of verdicts and their checker, in ball arithmetic."""
 
 from cuspaudit.certificate.checker import Verification, verify
 from cuspaudit.certificate.file import (
@@ -10,9 +10,13 @@ from cuspaudit.certificate.file import (
 from cuspaudit.certificate.model import (
     Certificate,
     CertifiedJoint,
+    Limits,
     Motion,
+    Numbers,
+    PathCertificate,
     Rotate,
     Task,
+    Tolerance,
     Translate,
     check_certificate,
     printable,
@@ -21,9 +25,13 @@ from cuspaudit.certificate.model import (
 __all__ = [
     "Certificate",
     "CertifiedJoint",
+    "Limits",
     "Motion",
+    "Numbers",
+    "PathCertificate",
     "Rotate",
     "Task",
+    "Tolerance",
     "Translate",
     "Verification",
     "certificate_from_text",

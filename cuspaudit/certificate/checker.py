@@ -1,41 +1,23 @@
 """The proof of a certificate, from the file alone.
 
-`verify` proves, in ball arithmetic of python-flint and with nothing of the code that
-searched, that the robot of a certificate is cuspidal:
-
-1. the path runs from the first posture to the second, as exact numbers;
-2. next to the second posture lies exactly one true posture q* whose pose is that of
-   the first (`krawczyk`), in a box of at most 1e-9 to each side;
-3. q* differs from the first posture: for one joint at least, the box less the first
-   posture contains no multiple of 2 pi (of 0, for a sliding joint);
-4. det J has the claimed sign on every segment of the path (`cover`);
-5. it has this sign on the whole box of q*, and with it on the segment from the end of
-   the path to q*.
-
-From 4 and 5 a path leads from the first posture to q* with det J != 0 all along, from 2
-and 3 both are distinct postures of one pose: this is what cuspidal means. A certificate
-that is not accepted proves nothing about the robot.
+`verify` proves in ball arithmetic of python-flint, and with nothing of the code that
+searched, what a certificate claims of its robot; each kind has a module that proves it
+(`path_proof`). A certificate that is not accepted proves nothing about the robot.
 """
 
 from __future__ import annotations
 
-import math
 import time
-from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Literal
 
-from flint import arb
-
-from cuspaudit.certificate.arm import Arm, arm_from_certificate
-from cuspaudit.certificate.balls import ball_from_fraction, working_precision
-from cuspaudit.certificate.cover import PRECISIONS, Cover, Refusal
-from cuspaudit.certificate.determinant import jacobian_determinant
-from cuspaudit.certificate.krawczyk import (
-    LARGEST_RADIUS_EXPONENT,
-    PostureBox,
-    true_posture,
+from cuspaudit.certificate.cover import Cover, Refusal
+from cuspaudit.certificate.model import (
+    Certificate,
+    PathCertificate,
+    check_certificate,
 )
-from cuspaudit.certificate.model import Certificate, check_certificate, printable
+from cuspaudit.certificate.path_proof import PathProof
 
 __all__ = ["Verification", "verify"]
 
@@ -45,7 +27,8 @@ class Verification:
     """What came out of checking a certificate.
 
     Attributes:
-        accepted: whether the robot is proved to be cuspidal.
+        accepted: whether the claim is proved.
+        claim: what the certificate says of its robot.
         reason: one sentence: what was proved, or the first step that failed.
         boxes: number of boxes that the path was cut into, up to the failure.
         smallest: proved lower bound of sign det J on the path and on the end box, at
@@ -57,6 +40,7 @@ class Verification:
     """
 
     accepted: bool
+    claim: Literal["cuspidal", "noncuspidal"]
     reason: str
     boxes: int
     smallest: float | None
@@ -79,14 +63,24 @@ def verify(certificate: Certificate) -> Verification:
         InvalidCertificateError: the certificate is not well formed.
     """
     check_certificate(certificate)
-    proof = _Proof(certificate, Cover(certificate))
+    match certificate:
+        case PathCertificate():
+            return _path(certificate)
+        case _:
+            raise TypeError(f"no kind of certificate: {type(certificate).__name__}")
+
+
+def _path(certificate: PathCertificate) -> Verification:
+    proof = PathProof(certificate, Cover(certificate))
     start = time.perf_counter()
     try:
+        _check_claim(certificate)
         smallest, reason = proof.run(), proof.summary()
     except Refusal as refusal:
         smallest, reason = None, str(refusal)
     return Verification(
         accepted=smallest is not None,
+        claim="cuspidal",
         reason=reason,
         boxes=proof.cover.boxes,
         smallest=smallest,
@@ -96,89 +90,9 @@ def verify(certificate: Certificate) -> Verification:
     )
 
 
-@dataclass(slots=True)
-class _Proof:
-    """The steps of the proof, in order; each raises `Refusal` when it fails."""
-
-    certificate: Certificate
-    cover: Cover
-    radius: float | None = None
-    bits: int = PRECISIONS[0]
-
-    def run(self) -> float:
-        """Prove all; return a lower bound of sign det J, rounded down."""
-        self._check_ends()
-        at_end = self._end()
-        smallest = min(at_end, self.cover.cover())
-        return max(0.0, math.nextafter(float(smallest), -math.inf))
-
-    def summary(self) -> str:
-        """What `run` has proved, in one sentence."""
-        sign = ">" if self.certificate.sign > 0 else "<"
-        count = len(self.certificate.path) - 1
-        return (
-            f"cuspidal: two distinct postures of {self._place()}, joined by a path "
-            f"with det J {sign} 0 ({count} segment{'s' if count > 1 else ''})"
-        )
-
-    def _place(self) -> str:
-        if self.certificate.task == "position-and-axis":
-            virtual = printable(self.certificate.joints[-1].name)
-            return f"one position and tool axis (the last joint, {virtual}, is virtual)"
-        return "one pose"
-
-    def _check_ends(self) -> None:
-        """Step 1."""
-        (first, second), path = self.certificate.postures, self.certificate.path
-        for posture, point, claim in (
-            (first, path[0], "start at the first"),
-            (second, path[-1], "end at the second"),
-        ):
-            for index, (a, b) in enumerate(zip(posture, point, strict=True), 1):
-                if a != b:
-                    found = f"joint {index} differs"
-                    raise Refusal(f"the path does not {claim} posture: {found}")
-
-    def _end(self) -> arb:
-        """Steps 2, 3 and 5; return a lower bound of sign det J on the end box."""
-        for bits in PRECISIONS:
-            self.bits = bits
-            try:
-                with working_precision(bits):
-                    return self._end_with_working_precision()
-            except Refusal as refusal:
-                last = refusal
-        raise last
-
-    def _end_with_working_precision(self) -> arb:
-        arm = arm_from_certificate(self.certificate, arb)
-        first, second = (
-            [ball_from_fraction(value) for value in posture]
-            for posture in self.certificate.postures
-        )
-        box = true_posture(arm, first, second)
-        if box is None:
-            raise Refusal(
-                "no true posture of the first posture's pose is proved within "
-                f"{2.0**LARGEST_RADIUS_EXPONENT:.1g} of the second posture"
-            )
-        self.radius = box.radius
-        if not _differs(arm, first, box):
-            raise Refusal("the two postures are the same (modulo 2 pi)")
-        value = jacobian_determinant(arm, box.values)
-        signed = arb(0) if value is None else value * self.certificate.sign
-        if not signed > 0:
-            word = "has the opposite" if signed < 0 else "is not proved to have the"
-            raise Refusal(f"det J {word} sign at the second posture")
-        return signed.lower()
-
-
-def _differs(arm: Arm[arb], first: Sequence[arb], box: PostureBox) -> bool:
-    """Whether the box is disjoint from the first posture modulo 2 pi (step 3)."""
-    turn = 2 * arb.pi()
-    for joint, a, b in zip(arm.joints, first, box.values, strict=True):
-        if joint.turns and not ((b - a) / turn).contains_integer():
-            return True
-        if not joint.turns and not (b - a).contains(0):
-            return True
-    return False
+def _check_claim(certificate: Certificate) -> None:
+    """Refuse a claim that goes beyond what is proved here."""
+    if certificate.limits is not None:
+        raise Refusal("a claim within limits, which this version does not check")
+    if certificate.tolerance is not None:
+        raise Refusal("a claim over a tolerance, which this version does not check")

@@ -27,7 +27,7 @@ from flint import arb, arb_series
 from cuspaudit.certificate.arm import Arm, arm_from_certificate
 from cuspaudit.certificate.balls import ball_from_fraction, working_precision
 from cuspaudit.certificate.determinant import jacobian_determinant
-from cuspaudit.certificate.model import Certificate
+from cuspaudit.certificate.model import PathCertificate
 from cuspaudit.errors import PrecisionError
 
 __all__ = ["MAX_BOXES", "MAX_DEPTH", "PRECISIONS", "TERMS", "Cover", "Refusal"]
@@ -58,7 +58,7 @@ class Cover:
         bits: the highest working precision used.
     """
 
-    certificate: Certificate
+    certificate: PathCertificate
     boxes: int = 0
     bits: int = PRECISIONS[0]
     _arms: dict[int, Arm[arb_series]] = field(default_factory=dict)
@@ -113,7 +113,7 @@ class Cover:
 class _Segment:
     """One straight segment, enclosed at one working precision."""
 
-    def __init__(self, certificate: Certificate, index: int, bits: int) -> None:
+    def __init__(self, certificate: PathCertificate, index: int, bits: int) -> None:
         a, b = certificate.path[index : index + 2]
         self.name = f"segment {index + 1} of {len(certificate.path) - 1}"
         self.sign, self.bits = certificate.sign, bits

@@ -1,24 +1,34 @@
-"""The certificate as a file: JSON of schema ``cuspaudit/certificate/1``.
+"""The certificate as a file: JSON of schema ``cuspaudit/certificate/2``.
 
 ::
 
-    {"schema": "cuspaudit/certificate/1",
+    {"schema": "cuspaudit/certificate/2",
+     "kind": "path",
      "robot": {"name": "...", "unit": "m",
        "task": "position" | "position-and-axis" | "pose",
        "joints": [{"name": "...", "type": "revolute" | "prismatic",
                    "axis": ["0", "0", "1"], "before": [MOTION, ...]}, ...],
        "tool": [MOTION, ...]},
-     "sign": 1 | -1,
-     "postures": [["0.1", ...], ["...", ...]],
-     "path": [["0.1", ...], ...],
-     "made_by": "..."}
+     "numbers": "literal" | "snapped",                              (may be left out)
+     "limits": [["-1", "1"] | null, ...],                           (may be left out)
+     "tolerance": {"lengths": "0.0001", "angles": "0.0001"},        (may be left out)
+     "made_by": "...",
+     and the keys of its kind}
+
+    path: "sign": 1 | -1,
+          "postures": [["0.1", ...], ["...", ...]],
+          "path": [["0.1", ...], ...]
 
     MOTION: {"translate": ["x", "y", "z"]}
             {"rotate": ["ax", "ay", "az"], "angle": {"pi": "1/2", "rad": "0"}}
 
-Every number is a string (see `exact`). All keys are required, no other key is
-allowed, and none may come twice: a file that is cut, or that says more than the
-checker reads, is not a certificate.
+Version 1 had the kind "path" only, neither its name nor the three keys that may be
+left out. Both versions are read, version 2 is written; docs/certificate.md says what a
+checker has to prove.
+
+Every number is a string (see `exact`). No other key is allowed, and none may come
+twice: a file that is cut, or that says more than the checker reads, is not a
+certificate.
 """
 
 from __future__ import annotations
@@ -34,6 +44,7 @@ from cuspaudit.certificate.exact import text_from_fraction
 from cuspaudit.certificate.model import (
     Certificate,
     Motion,
+    PathCertificate,
     Translate,
     check_certificate,
 )
@@ -161,8 +172,9 @@ def _json_from_certificate(certificate: Certificate) -> dict[str, Any]:
         }
         for joint in certificate.joints
     ]
-    return {
+    found: dict[str, Any] = {
         "schema": SCHEMA,
+        "kind": "",
         "robot": {
             "name": certificate.robot_name,
             "task": certificate.task,
@@ -170,11 +182,22 @@ def _json_from_certificate(certificate: Certificate) -> dict[str, Any]:
             "joints": joints,
             "tool": [motion(each) for each in certificate.tool],
         },
-        "sign": certificate.sign,
-        "postures": [texts(row) for row in certificate.postures],
-        "path": [texts(row) for row in certificate.path],
-        "made_by": certificate.made_by,
     }
+    if certificate.numbers is not None:
+        found["numbers"] = certificate.numbers
+    if certificate.limits is not None:
+        found["limits"] = [pair and texts(pair) for pair in certificate.limits]
+    if certificate.tolerance is not None:
+        lengths, angles = texts(
+            (certificate.tolerance.lengths, certificate.tolerance.angles)
+        )
+        found["tolerance"] = {"lengths": lengths, "angles": angles}
+    if isinstance(certificate, PathCertificate):
+        found["kind"] = "path"
+        found["sign"] = certificate.sign
+        found["postures"] = [texts(row) for row in certificate.postures]
+        found["path"] = [texts(row) for row in certificate.path]
+    return found | {"made_by": certificate.made_by}
 
 
 def _unique(pairs: list[tuple[str, Any]]) -> dict[str, Any]:

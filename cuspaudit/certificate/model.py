@@ -1,12 +1,13 @@
-"""A certificate: a robot, two postures of one pose, and a path that joins them.
+"""A certificate: a robot, its numbers exact, and a claim about it of one of the kinds.
 
-The file claims that the robot is cuspidal: the two postures put the tool in exactly
-the same place, they differ modulo 2 pi, and det J has the stated sign all along the
-path. Nothing is claimed about how the path was found, and nothing outside the file
-is needed to prove it: the robot's numbers are in it, exactly.
+kind "path" claims that the robot is cuspidal: two postures put the tool in exactly the
+same place, they differ modulo 2 pi, and det J has the stated sign all along the path
+that joins them. Nothing is claimed about how the path was found, and nothing outside
+the file is needed to prove it. The second posture is an approximation, because postures
+are algebraic numbers in general; the checker proves that one true posture lies next to
+it.
 
-The second posture is an approximation, because postures are algebraic numbers in
-general; the checker proves that one true posture lies next to it.
+Each kind is a class of its own, a `Certificate` with what its claim needs besides.
 """
 
 from __future__ import annotations
@@ -24,10 +25,14 @@ __all__ = [
     "Certificate",
     "CertifiedJoint",
     "JointKind",
+    "Limits",
     "Motion",
+    "Numbers",
+    "PathCertificate",
     "Posture",
     "Rotate",
     "Task",
+    "Tolerance",
     "Translate",
     "Vector",
     "check_certificate",
@@ -38,6 +43,8 @@ Vector = tuple[Fraction, Fraction, Fraction]
 Posture = tuple[Fraction, ...]
 JointKind = Literal["revolute", "prismatic"]
 Task = Literal["position", "position-and-axis", "pose"]
+Numbers = Literal["literal", "snapped"]
+Limits = tuple[tuple[Fraction, Fraction] | None, ...]
 
 JOINTS_OF_TASK: dict[Task, int] = {"position": 3, "position-and-axis": 6, "pose": 6}
 """The number of joints that makes the Jacobian matrix of each task square."""
@@ -80,8 +87,21 @@ class CertifiedJoint:
 
 
 @dataclass(frozen=True, slots=True)
+class Tolerance:
+    """How far a robot as built may be from the numbers of its certificate.
+
+    Attributes:
+        lengths: in the robot's unit.
+        angles: rad.
+    """
+
+    lengths: Fraction
+    angles: Fraction
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Certificate:
-    """The claim that a robot is cuspidal, with all that its proof needs.
+    """A robot, and a claim about it with all that its proof needs.
 
     Attributes:
         robot_name: for the reader; the proof does not use it.
@@ -93,10 +113,12 @@ class Certificate:
         unit: unit of every length, for the reader.
         joints: base to tip.
         tool: the fixed transform after the last joint.
-        sign: the sign, 1 or -1, that det J keeps along the path.
-        postures: the first is exact by definition; the second is close to a true one.
-        path: way points joined by straight segments, from the first posture to the
-            second, exactly; rad, or the unit of length.
+        numbers: whose numbers these are: "literal", those of the robot's file, or
+            "snapped", those of its ideal arm; None where the file does not say. For
+            the reader: the claim is about the numbers as they stand.
+        limits: for each joint an open interval (rad, or the unit of length) or None;
+            with limits the claim is one within them, and without it is for all values.
+        tolerance: with one the claim is about every robot so close.
         made_by: free text; the proof does not use it.
     """
 
@@ -105,10 +127,26 @@ class Certificate:
     unit: str
     joints: tuple[CertifiedJoint, ...]
     tool: tuple[Motion, ...]
+    numbers: Numbers | None = None
+    limits: Limits | None = None
+    tolerance: Tolerance | None = None
+    made_by: str = ""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class PathCertificate(Certificate):
+    """The claim that a robot is cuspidal, by a path between two postures of one pose.
+
+    Attributes:
+        sign: the sign, 1 or -1, that det J keeps along the path.
+        postures: the first is exact by definition; the second is close to a true one.
+        path: way points joined by straight segments, from the first posture to the
+            second, exactly; rad, or the unit of length.
+    """
+
     sign: Literal[1, -1]
     postures: tuple[Posture, Posture]
     path: tuple[Posture, ...]
-    made_by: str = ""
 
 
 def printable(name: str) -> str:
@@ -126,9 +164,10 @@ def printable(name: str) -> str:
 def check_certificate(certificate: Certificate, file: str = "certificate") -> None:
     """Raise unless the parts of ``certificate`` fit together.
 
-    Checked: the task and its number of joints, the sign, two postures, two or more
-    way points, one value a joint in each, every number rational, and no axis of
-    length zero. Whether the claim is true is the business of `verify`.
+    Checked: the task and its number of joints, the limits and the tolerance, every
+    number rational, and no axis of length zero; of a path the sign, two postures, two
+    or more way points, one value a joint in each. Whether the claim is true is the
+    business of `verify`.
 
     Raises:
         InvalidCertificateError: naming the first part that does not fit.
@@ -156,6 +195,30 @@ def _misfits(certificate: Certificate) -> _Misfits:
     yield from _motion_misfits(certificate.tool, "robot.tool")
     if certificate.task == "position-and-axis":
         yield from _virtual_misfits(certificate)
+    yield from _limit_misfits(certificate)
+    if isinstance(certificate, PathCertificate):
+        yield from _path_misfits(certificate)
+
+
+def _limit_misfits(certificate: Certificate) -> _Misfits:
+    if certificate.limits is not None:
+        if len(certificate.limits) != len(certificate.joints):
+            expected = f"give {len(certificate.joints)}, one a joint"
+            yield "limits", f"{len(certificate.limits)} entries", expected
+        for index, pair in enumerate(certificate.limits):
+            where = f"limits[{index}]"
+            yield from _row_misfits(pair or (Fraction(0), Fraction(1)), 2, where)
+            if pair and not pair[0] < pair[1]:
+                yield where, "an empty interval", "give the lower limit first"
+    if certificate.tolerance is not None:
+        balls = certificate.tolerance.lengths, certificate.tolerance.angles
+        yield from _row_misfits(balls, 2, "tolerance")
+        if any(radius < 0 for radius in balls):
+            yield "tolerance", "a negative number", "give 0 or more"
+
+
+def _path_misfits(certificate: PathCertificate) -> _Misfits:
+    needed = JOINTS_OF_TASK[certificate.task]
     if certificate.sign not in (1, -1):
         yield "sign", repr(certificate.sign), "use 1 or -1"
     if len(certificate.postures) != 2:

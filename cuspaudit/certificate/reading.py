@@ -1,5 +1,7 @@
 """From JSON values to a certificate: each key where the schema has it, and no other.
 
+Two versions of the schema are read. In version 1 every certificate is of kind "path".
+
 Whatever does not fit is an `InvalidCertificateError` that names the place in the file,
 as ``robot.joints[1].axis[2]``.
 """
@@ -16,10 +18,14 @@ from cuspaudit.certificate.model import (
     Certificate,
     CertifiedJoint,
     JointKind,
+    Limits,
     Motion,
+    Numbers,
+    PathCertificate,
     Posture,
     Rotate,
     Task,
+    Tolerance,
     Translate,
     Vector,
 )
@@ -27,7 +33,10 @@ from cuspaudit.errors import InvalidCertificateError
 
 __all__ = ["SCHEMA", "Place", "certificate_from_json"]
 
-SCHEMA = "cuspaudit/certificate/1"
+SCHEMA = "cuspaudit/certificate/2"
+_FIRST = "cuspaudit/certificate/1"
+_FRAME = ("schema", "kind", "robot", "made_by")
+_OPTIONAL = ("numbers", "limits", "tolerance")
 
 T = TypeVar("T")
 
@@ -53,15 +62,17 @@ class Place:
         """An item of the list at this place."""
         return Place(self.file, f"{self.where}[{index}]")
 
-    def table(self, value: Any, *keys: str) -> dict[str, Any]:
-        """``value`` if it is an object with exactly these keys."""
+    def table(
+        self, value: Any, *keys: str, optional: tuple[str, ...] = ()
+    ) -> dict[str, Any]:
+        """``value`` if it is an object with exactly these keys, the optional or not."""
         if not isinstance(value, dict):
             self.fail(f"{_short(value)} is no object", f"give the keys {keys}")
         for key in keys:
             if key not in value:
                 self.key(key).fail("key is missing", "the file is cut or altered")
         for key in value:
-            if key not in keys:
+            if key not in keys and key not in optional:
                 self.fail(f"unknown key {_short(key)}", f"the keys are {keys}")
         return value
 
@@ -89,27 +100,88 @@ def certificate_from_json(value: Any, place: Place) -> Certificate:
         InvalidCertificateError: a key is missing or unknown, or a value is of the
             wrong kind.
     """
-    keys = ("schema", "robot", "sign", "postures", "path", "made_by")
-    if isinstance(value, dict) and value.get("schema", SCHEMA) != SCHEMA:
-        found = f"unknown schema {_short(value['schema'])}"
-        place.key("schema").fail(found, f"this checker reads {SCHEMA}")
-    top = place.table(value, *keys)
-    at = place.key("robot")
-    robot = at.table(top["robot"], "name", "task", "unit", "joints", "tool")
+    if not isinstance(value, dict):
+        place.fail(f"{_short(value)} is no object", "give a certificate")
+    schema = value.get("schema", SCHEMA)
+    if schema == _FIRST:
+        first = ("schema", "robot", "sign", "postures", "path", "made_by")
+        return _path(place.table(value, *first), place)
+    if schema != SCHEMA:
+        found = f"unknown schema {_short(schema)}"
+        place.key("schema").fail(found, f"this checker reads {_FIRST} and {SCHEMA}")
+    kind = value.get("kind")
+    if not isinstance(kind, str) or kind not in _KINDS:
+        found = "key is missing" if "kind" not in value else _short(kind)
+        place.key("kind").fail(found, f"the kinds are {tuple(_KINDS)}")
+    keys, read = _KINDS[kind]
+    return read(place.table(value, *_FRAME, *keys, optional=_OPTIONAL), place)
+
+
+def _path(top: dict[str, Any], place: Place) -> PathCertificate:
     sign = top["sign"]
     if type(sign) is not int or sign not in (1, -1):
         place.key("sign").fail(_short(sign), "use 1 or -1")
     postures = place.key("postures").items(top["postures"], _row)
-    return Certificate(
-        robot_name=at.key("name").text(robot["name"]),
-        task=cast(Task, at.key("task").text(robot["task"])),
-        unit=at.key("unit").text(robot["unit"]),
-        joints=at.key("joints").items(robot["joints"], _joint),
-        tool=at.key("tool").items(robot["tool"], _motion),
+    return PathCertificate(
+        **_frame(top, place),
         sign=cast(Literal[1, -1], sign),
         postures=cast(tuple[Posture, Posture], postures),
         path=place.key("path").items(top["path"], _row),
-        made_by=place.key("made_by").text(top["made_by"]),
+    )
+
+
+_KINDS: dict[str, tuple[tuple[str, ...], Callable[[Any, Place], Certificate]]] = {
+    "path": (("sign", "postures", "path"), _path),
+}
+"""The keys of each kind beside those that all have, and what reads it."""
+
+
+def _frame(top: dict[str, Any], place: Place) -> dict[str, Any]:
+    """What every kind has, as arguments of its class."""
+    at = place.key("robot")
+    robot = at.table(top["robot"], "name", "task", "unit", "joints", "tool")
+    found: dict[str, Any] = {
+        "robot_name": at.key("name").text(robot["name"]),
+        "task": cast(Task, at.key("task").text(robot["task"])),
+        "unit": at.key("unit").text(robot["unit"]),
+        "joints": at.key("joints").items(robot["joints"], _joint),
+        "tool": at.key("tool").items(robot["tool"], _motion),
+        "made_by": place.key("made_by").text(top["made_by"]),
+    }
+    for key, read in (
+        ("numbers", _numbers),
+        ("limits", _limits),
+        ("tolerance", _tolerance),
+    ):
+        if key in top:
+            found[key] = read(top[key], place.key(key))
+    return found
+
+
+def _numbers(value: Any, place: Place) -> Numbers:
+    if value not in ("literal", "snapped"):
+        place.fail(_short(value), 'use "literal" or "snapped"')
+    return cast(Numbers, value)
+
+
+def _limits(value: Any, place: Place) -> Limits:
+    return place.items(value, _interval)
+
+
+def _interval(value: Any, place: Place) -> tuple[Fraction, Fraction] | None:
+    if value is None:
+        return None
+    row = _row(value, place)
+    if len(row) != 2:
+        place.fail(f"{len(row)} values", "give the lower and the upper limit, or null")
+    return row[0], row[1]
+
+
+def _tolerance(value: Any, place: Place) -> Tolerance:
+    table = place.table(value, "lengths", "angles")
+    return Tolerance(
+        _number(table["lengths"], place.key("lengths")),
+        _number(table["angles"], place.key("angles")),
     )
 
 

@@ -16,9 +16,9 @@ from typing import Any
 import numpy as np
 
 from cuspaudit.certificate import (
-    Certificate,
     CertifiedJoint,
     Motion,
+    PathCertificate,
     Rotate,
     Translate,
 )
@@ -87,7 +87,7 @@ def _motion(motion: Motion) -> np.ndarray:
     return T
 
 
-def kinematics(arm: Certificate, q: Sequence[Any]) -> tuple[np.ndarray, np.ndarray]:
+def kinematics(arm: PathCertificate, q: Sequence[Any]) -> tuple[np.ndarray, np.ndarray]:
     """The tip's frame, and the 6xn geometric Jacobian, linear rows first, in floats."""
     T, screws = np.eye(4), []
     for joint, value in zip(arm.joints, q, strict=True):
@@ -112,13 +112,13 @@ def kinematics(arm: Certificate, q: Sequence[Any]) -> tuple[np.ndarray, np.ndarr
     return T, np.array(columns).T
 
 
-def det(arm: Certificate, q: Sequence[Any]) -> float:
+def det(arm: PathCertificate, q: Sequence[Any]) -> float:
     """Det J of the task in floats."""
     J = kinematics(arm, q)[1]
     return float(np.linalg.det(J[: len(arm.joints)]))
 
 
-def refined(arm: Certificate, first: Sequence[Any], second: Sequence[Any]) -> Any:
+def refined(arm: PathCertificate, first: Sequence[Any], second: Sequence[Any]) -> Any:
     """The posture of the pose of ``first`` next to ``second``, by Newton in floats."""
     target, n = kinematics(arm, first)[0], len(arm.joints)
     q = np.array([float(x) for x in second])
@@ -136,23 +136,33 @@ def certify(
     robot: tuple[tuple[CertifiedJoint, ...], tuple[Motion, ...]],
     first: Sequence[float],
     second: Sequence[float],
-) -> Certificate:
+) -> PathCertificate:
     """The straight path between two postures, the second one refined."""
     joints, tool = robot
     task = "position" if len(joints) == 3 else "pose"
     a = exact(first)
-    arm = Certificate(name, task, "m", joints, tool, 1, (a, a), (a, a), "the tests")
+    arm = PathCertificate(
+        robot_name=name,
+        task=task,
+        unit="m",
+        joints=joints,
+        tool=tool,
+        sign=1,
+        postures=(a, a),
+        path=(a, a),
+        made_by="the tests",
+    )
     return with_second(arm, refined(arm, a, second))
 
 
-def with_second(arm: Certificate, second: tuple[Fraction, ...]) -> Certificate:
+def with_second(arm: PathCertificate, second: tuple[Fraction, ...]) -> PathCertificate:
     """The certificate with another second posture, a straight path and det J's sign."""
     first = arm.postures[0]
     sign = 1 if det(arm, first) > 0 else -1
     return replace(arm, sign=sign, postures=(first, second), path=(first, second))
 
 
-def divided(arm: Certificate, pieces: int) -> Certificate:
+def divided(arm: PathCertificate, pieces: int) -> PathCertificate:
     """The same path, each segment divided into pieces, exactly."""
     path = [arm.path[0]]
     for a, b in zip(arm.path, arm.path[1:], strict=False):
@@ -164,7 +174,7 @@ def divided(arm: Certificate, pieces: int) -> Certificate:
 
 
 @cache
-def issac() -> Certificate:
+def issac() -> PathCertificate:
     """The ISSAC 2022 example with its published path in (theta2, theta3)."""
     robot = from_dh([1, 2, 1.5], [0, 1, 0], [-90, 90, 0])
     first, end = (0.0, -0.742, 2.628), np.array([-3, -0.5])
@@ -186,7 +196,7 @@ def issac() -> Certificate:
 
 
 @cache
-def sliding() -> Certificate:
+def sliding() -> PathCertificate:
     """A cuspidal arm whose second joint slides."""
     robot = from_dh([1.5, 0.5, 2], [0, 0, 1], [60, -60, 0], "RPR", [0, 30, 0])
     first = [-1.4892296592379715, 0.8032106201907725, -1.6524598544521825]
@@ -195,7 +205,7 @@ def sliding() -> Certificate:
 
 
 @cache
-def jaco_gen2() -> Certificate:
+def jaco_gen2() -> PathCertificate:
     """Kinova JACO Gen2 (FACTS.md, erratum 2), couple 6, 7."""
     robot = from_dh(
         [0, 0.41, 0, 0, 0, 0],
@@ -210,7 +220,7 @@ def jaco_gen2() -> Certificate:
 
 
 @cache
-def crx() -> Certificate:
+def crx() -> PathCertificate:
     """FANUC CRX-10iA/L."""
     H = [[0, 0, 1], [0, 1, 0], [0, -1, 0], [-1, 0, 0], [0, -1, 0], [-1, 0, 0]]
     P = [0, 0, 0.245, 0, 0, 0, 0, 0, 0.71, 0, 0, 0, 0.54, -0.15, 0, 0.16, *[0] * 5]
@@ -221,7 +231,7 @@ def crx() -> Certificate:
 
 
 @cache
-def gofa() -> Certificate:
+def gofa() -> PathCertificate:
     """ABB GoFa 5."""
     H = [[0, 0, 1], [0, 1, 0], [0, 1, 0], [1, 0, 0], [0, 1, 0], [1, 0, 0]]
     P = [0, 0, 0, 0, 0, 0.265, 0, 0, 0.444, 0, 0, 0.11, 0.47]
@@ -233,7 +243,7 @@ def gofa() -> Certificate:
 
 
 @cache
-def jaco2() -> Certificate:
+def jaco2() -> PathCertificate:
     """Kinova JACO 2, snapped; its fifth axis is a unit vector in 15 digits only."""
     H = [[0, 0, -1], [0, -1, 0], [0, 1, 0], [0, 0, -1]]
     H += [[0, -0.866025403784439, -0.5], [0, 0, -1]]
@@ -247,7 +257,7 @@ def jaco2() -> Certificate:
 
 
 @cache
-def xarm6() -> Certificate:
+def xarm6() -> PathCertificate:
     """UFACTORY xArm6, snapped."""
     H = [[0, 0, 1], [0, 1, 0], [0, 1, 0], [0, 0, -1], [0, 1, 0], [0, 0, -1]]
     P = [0, 0, 0.267, 0, 0, 0, 0.0535, 0, 0.2845, 0.0775, 0, -0.3425]
@@ -260,7 +270,7 @@ def xarm6() -> Certificate:
 
 
 @cache
-def raghavan_roth() -> Certificate:
+def raghavan_roth() -> PathCertificate:
     """Raghavan and Roth's arm, no two of whose axes meet or are parallel."""
     robot = from_dh(
         [0.8, 1.2, 0.33, 1.8, 0.6, 2.2],
@@ -284,7 +294,7 @@ ARMS = {
 
 
 @cache
-def with_offset() -> Certificate:
+def with_offset() -> PathCertificate:
     """The ISSAC arm with theta2 = q2 + pi/2: det J is 0 at q2 = q3 = 0, exactly.
 
     On the line q2 = t, q3 = -t the factor c2 c3 - 2 c2 s3 - s3 is
@@ -297,7 +307,9 @@ def with_offset() -> Certificate:
     return replace(arm, joints=(first, second, third))
 
 
-def moved(arm: Certificate, index: int, joint: int, by: Fraction) -> Certificate:
+def moved(
+    arm: PathCertificate, index: int, joint: int, by: Fraction
+) -> PathCertificate:
     """One posture with one joint value moved, and the end of the path with it."""
     postures, path = list(arm.postures), list(arm.path)
     row = list(postures[index])
@@ -307,20 +319,20 @@ def moved(arm: Certificate, index: int, joint: int, by: Fraction) -> Certificate
     return replace(arm, postures=(first, second), path=tuple(path))
 
 
-def through(arm: Certificate, *points: Sequence[Fraction]) -> Certificate:
+def through(arm: PathCertificate, *points: Sequence[Fraction]) -> PathCertificate:
     """The path by way of other points."""
     first, second = arm.postures
     return replace(arm, path=(first, *map(tuple, points), second))
 
 
-def middle(arm: Certificate) -> tuple[Fraction, ...]:
+def middle(arm: PathCertificate) -> tuple[Fraction, ...]:
     """The middle of the straight segment between the two postures."""
     return tuple((x + y) / 2 for x, y in zip(*arm.postures, strict=True))
 
 
 def excursion(
-    arm: Certificate, direction: Sequence[float], past: Fraction
-) -> Certificate:
+    arm: PathCertificate, direction: Sequence[float], past: Fraction
+) -> PathCertificate:
     """To the middle, on along a ray to ``past`` the first singularity, and back."""
     start = np.array([float(x) for x in middle(arm)])
     ray = np.array(direction) / np.linalg.norm(direction)
@@ -338,7 +350,9 @@ def excursion(
     return through(arm, middle(arm), point, middle(arm))
 
 
-def rebuilt(arm: Certificate, index: int, place: int, motion: Motion) -> Certificate:
+def rebuilt(
+    arm: PathCertificate, index: int, place: int, motion: Motion
+) -> PathCertificate:
     """The arm with another motion at one place before one joint."""
     joints = list(arm.joints)
     before = list(joints[index].before)

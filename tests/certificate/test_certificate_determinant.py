@@ -10,7 +10,7 @@ from flint import arb, arb_series
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from cuspaudit.certificate import Certificate, CertifiedJoint, Rotate, Translate
+from cuspaudit.certificate import CertifiedJoint, PathCertificate, Rotate, Translate
 from cuspaudit.certificate.arm import arm_from_certificate
 from cuspaudit.certificate.balls import ball_from_fraction, working_precision
 from cuspaudit.certificate.determinant import jacobian_determinant
@@ -31,12 +31,12 @@ joints = st.builds(
 
 
 @st.composite
-def arms(draw: Any) -> Certificate:
+def arms(draw: Any) -> PathCertificate:
     """Any arm, with a posture and a direction to move in as its postures."""
     size = draw(st.sampled_from([3, 6]))
     row = st.tuples(*[small] * size)
     postures = draw(row), draw(row)
-    return Certificate(
+    return PathCertificate(
         robot_name="any",
         task="position" if size == 3 else "pose",
         unit="m",
@@ -48,7 +48,7 @@ def arms(draw: Any) -> Certificate:
     )
 
 
-def value_at(arm: Certificate, q: Any, bits: int = 128) -> arb:
+def value_at(arm: PathCertificate, q: Any, bits: int = 128) -> arb:
     """Det J in balls at exact joint values; 0 where no term is left."""
     with working_precision(bits):
         balls = [ball_from_fraction(Fraction(x)) for x in q]
@@ -58,7 +58,7 @@ def value_at(arm: Certificate, q: Any, bits: int = 128) -> arb:
 
 @settings(max_examples=60, deadline=None)
 @given(arms())
-def test_det_is_that_of_the_geometric_jacobian(arm: Certificate) -> None:
+def test_det_is_that_of_the_geometric_jacobian(arm: PathCertificate) -> None:
     """In the coordinates of a middle link det J has the value it has in the base."""
     q = arm.postures[0]
     value, size = value_at(arm, q), len(arm.joints)
@@ -70,7 +70,7 @@ def test_det_is_that_of_the_geometric_jacobian(arm: Certificate) -> None:
 
 @settings(max_examples=30, deadline=None)
 @given(arms())
-def test_more_bits_agree(arm: Certificate) -> None:
+def test_more_bits_agree(arm: PathCertificate) -> None:
     """Balls of two precisions enclose one number, so they meet."""
     q = arm.postures[0]
     assert value_at(arm, q, 64).overlaps(value_at(arm, q, 512))
@@ -78,7 +78,7 @@ def test_more_bits_agree(arm: Certificate) -> None:
 
 @settings(max_examples=30, deadline=None)
 @given(arms(), st.fractions(-1, 1))
-def test_a_taylor_expansion_encloses_det(arm: Certificate, s: Fraction) -> None:
+def test_a_taylor_expansion_encloses_det(arm: PathCertificate, s: Fraction) -> None:
     """The polynomial at 0 and the remainder over [-1/8, 1/8] enclose det J at s/8."""
     q, step = arm.postures
     t = s / 8
@@ -103,7 +103,7 @@ def test_a_taylor_expansion_encloses_det(arm: Certificate, s: Fraction) -> None:
 
 @pytest.mark.parametrize("name", ARMS)
 def test_the_known_arms_have_their_det(
-    name: str, certified: dict[str, Certificate]
+    name: str, certified: dict[str, PathCertificate]
 ) -> None:
     """Balls and floats agree on every known arm, to float accuracy."""
     arm = certified[name]
@@ -111,7 +111,7 @@ def test_the_known_arms_have_their_det(
         assert float(value_at(arm, q)) == pytest.approx(det(arm, q), rel=1e-9)
 
 
-def test_the_paper_s_determinant(arm3: Certificate) -> None:
+def test_the_paper_s_determinant(arm3: PathCertificate) -> None:
     """For the ISSAC arm 8 det J = -6 (3 c3 + 4)(c2 c3 - 2 c2 s3 - s3)."""
     q = arm3.postures[0]
     c2, s3, c3 = np.cos(float(q[1])), np.sin(float(q[2])), np.cos(float(q[2]))
@@ -124,8 +124,10 @@ def test_right_angles_stay_exact() -> None:
     half = Fraction(1, 2)
     turn = Rotate(X, half), Translate((Fraction(1), Fraction(0), Fraction(0)))
     plain = CertifiedJoint("a", "revolute", Z)
-    planar = Certificate(
-        *("planar", "position", "m"),
+    planar = PathCertificate(
+        robot_name="planar",
+        task="position",
+        unit="m",
         joints=(plain, CertifiedJoint("b", "revolute", Z, turn), plain),
         tool=turn,
         sign=1,

@@ -15,8 +15,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from cuspaudit.certificate import (
-    Certificate,
+    PathCertificate,
     Rotate,
+    Tolerance,
     certificate_from_text,
     check_certificate,
     file,
@@ -74,7 +75,7 @@ NUMBERS += [path for path in leaves(TREE) if "before" in path or "tool" in path]
 NUMBERS += [path for path in leaves(TREE) if "axis" in path]
 
 
-def test_a_certificate_survives_its_file(tmp_path: Path, arm6: Certificate) -> None:
+def test_a_certificate_survives_its_file(tmp_path: Path, arm6: PathCertificate) -> None:
     """What is written is read back, equal in every exact number."""
     for certificate in (issac(), arm6):
         path = tmp_path / "arm.json"
@@ -83,7 +84,7 @@ def test_a_certificate_survives_its_file(tmp_path: Path, arm6: Certificate) -> N
         assert certificate_from_text(path.read_text()) == certificate
 
 
-def test_radians_and_half_turns_survive(arm3: Certificate) -> None:
+def test_radians_and_half_turns_survive(arm3: PathCertificate) -> None:
     """An angle keeps its two parts."""
     tool = (
         Rotate((Fraction(0), Fraction(3), Fraction(4)), Fraction(1, 3), Fraction(1)),
@@ -92,9 +93,45 @@ def test_radians_and_half_turns_survive(arm3: Certificate) -> None:
     assert certificate_from_text(text_from_certificate(certificate)) == certificate
 
 
+def test_numbers_limits_and_tolerance_survive(arm3: PathCertificate) -> None:
+    """What may be left out of a file is read back where it is there."""
+    certificate = replace(
+        arm3,
+        numbers="snapped",
+        limits=(None, (Fraction(-1), Fraction(1, 3)), None),
+        tolerance=Tolerance(Fraction(1, 1000), Fraction(0)),
+    )
+    assert certificate_from_text(text_from_certificate(certificate)) == certificate
+
+
+def test_the_first_version_is_read() -> None:
+    """A file of version 1 is a path, and none of the later keys stands in it."""
+    tree = copy.deepcopy(TREE)
+    del tree["kind"]
+    tree["schema"] = "cuspaudit/certificate/1"
+    assert certificate_from_text(json.dumps(tree)) == issac()
+    for key, value in (("kind", "path"), ("limits", [None] * 3)):
+        with pytest.raises(InvalidCertificateError, match="unknown key"):
+            certificate_from_text(json.dumps(tree | {key: value}))
+
+
+def test_a_claim_beyond_the_proof_is_refused(arm3: PathCertificate) -> None:
+    """Limits and tolerances that no step of the proof checks are never accepted."""
+    limits = (None, None, (Fraction(-9), Fraction(9)))
+    beyond: tuple[PathCertificate, ...] = (
+        replace(arm3, limits=limits),
+        replace(arm3, tolerance=Tolerance(Fraction(1), Fraction(1))),
+    )
+    for claim in beyond:
+        result = verify(claim)
+        assert not result.accepted
+        assert "does not check" in result.reason
+
+
 def test_the_file_stands_alone() -> None:
     """The robot, the sign, the postures and the path are all in the text."""
-    assert TREE["schema"] == "cuspaudit/certificate/1"
+    assert TREE["schema"] == "cuspaudit/certificate/2"
+    assert TREE["kind"] == "path"
     assert TREE["robot"]["task"] == "position"
     assert TREE["robot"]["joints"][1]["before"][2] == {
         "rotate": ["1", "0", "0"],
@@ -152,8 +189,20 @@ def test_json_constants_are_refused(constant: str) -> None:
 @pytest.mark.parametrize(
     ("path", "value"),
     [
-        (("schema",), "cuspaudit/certificate/2"),
+        (("schema",), "cuspaudit/certificate/3"),
         (("schema",), 1),
+        (("kind",), "proof"),
+        (("kind",), ["path"]),
+        (("numbers",), "exact"),
+        (("numbers",), None),
+        (("limits",), None),
+        (("limits",), [None, None]),
+        (("limits",), [None, None, ["1", "1"]]),
+        (("limits",), [None, None, ["1", "0"]]),
+        (("limits",), [None, None, ["1"]]),
+        (("tolerance",), None),
+        (("tolerance",), {"lengths": "1"}),
+        (("tolerance",), {"lengths": "-1", "angles": "0"}),
         (("sign",), 0),
         (("sign",), True),
         (("sign",), "1"),
@@ -222,7 +271,7 @@ def test_unreadable_files_are_named(
 
 
 def test_a_failed_write_leaves_the_old_file(
-    tmp_path: Path, arm3: Certificate, monkeypatch: pytest.MonkeyPatch
+    tmp_path: Path, arm3: PathCertificate, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """The file is replaced whole or not at all, and no temporary file is left."""
     path = tmp_path / "arm.json"
@@ -240,7 +289,7 @@ def test_a_failed_write_leaves_the_old_file(
         write_certificate(tmp_path / "no folder" / "arm.json", arm3)
 
 
-def test_what_could_not_be_read_is_not_written(arm3: Certificate) -> None:
+def test_what_could_not_be_read_is_not_written(arm3: PathCertificate) -> None:
     """A number too long to be read again stops the writer."""
     first, second = arm3.postures
     third = (Fraction(1, 3**1000), *second[1:])
@@ -248,7 +297,7 @@ def test_what_could_not_be_read_is_not_written(arm3: Certificate) -> None:
         text_from_certificate(replace(arm3, postures=(first, third)))
 
 
-def test_floats_are_no_part_of_a_certificate(arm3: Certificate) -> None:
+def test_floats_are_no_part_of_a_certificate(arm3: PathCertificate) -> None:
     """A certificate built with a float, or with a wrong sign, is not well formed."""
     first: Any = (0.0, -0.742, 2.628)
     with pytest.raises(InvalidCertificateError, match="rational"):

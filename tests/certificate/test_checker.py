@@ -27,9 +27,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from cuspaudit.certificate import (
-    Certificate,
     CertifiedJoint,
     Motion,
+    PathCertificate,
     Rotate,
     Translate,
     verify,
@@ -42,7 +42,7 @@ rotations = st.builds(Rotate, vectors.filter(any), tenths, tenths)
 motions = st.one_of(st.builds(Translate, vectors), rotations)
 
 
-def reason_against(arm: Certificate) -> str:
+def reason_against(arm: PathCertificate) -> str:
     """Why the certificate is refused."""
     result = verify(arm)
     assert not result.accepted
@@ -54,7 +54,7 @@ def reason_against(arm: Certificate) -> str:
 @pytest.mark.parametrize("name", ARMS)
 @pytest.mark.parametrize("pieces", [1, 20])
 def test_true_certificates_are_accepted(
-    name: str, pieces: int, certified: dict[str, Certificate]
+    name: str, pieces: int, certified: dict[str, PathCertificate]
 ) -> None:
     """The nonsingular couples of the literature are proved, as one segment or many."""
     arm = certified[name]
@@ -148,7 +148,7 @@ def test_a_posture_moved_by_a_thousandth_is_refused(
 
 @pytest.mark.parametrize("name", ["issac", "sliding", "jaco_gen2", "raghavan_roth"])
 def test_a_robot_altered_in_the_sixth_digit_is_refused(
-    name: str, certified: dict[str, Certificate]
+    name: str, certified: dict[str, PathCertificate]
 ) -> None:
     """Every length and twist that matters, changed by 1 in its sixth digit."""
     arm = certified[name]
@@ -243,7 +243,7 @@ def test_a_slide_makes_postures_distinct() -> None:
     assert "opposite sign at the second posture" in reason_against(arm)
 
 
-def test_numbers_out_of_all_proportion_are_refused(arm3: Certificate) -> None:
+def test_numbers_out_of_all_proportion_are_refused(arm3: PathCertificate) -> None:
     """A value of 300 digits costs no more than some precision."""
     far = moved(arm3, 1, 1, Fraction(10) ** 300)
     assert "no true posture" in reason_against(far)

@@ -10,11 +10,11 @@ import pytest
 from certified_arms import ARMS, det, divided, with_offset
 from flint import ctx
 
-from cuspaudit.certificate import Certificate, cover
+from cuspaudit.certificate import PathCertificate, cover
 from cuspaudit.certificate.cover import Cover, Refusal
 
 
-def along(arm: Certificate, *points: Sequence[Any]) -> Cover:
+def along(arm: PathCertificate, *points: Sequence[Any]) -> Cover:
     """The cover of another path of the arm."""
     path = tuple(tuple(map(Fraction, point)) for point in points)
     return Cover(replace(arm, path=path))
@@ -23,7 +23,7 @@ def along(arm: Certificate, *points: Sequence[Any]) -> Cover:
 @pytest.mark.parametrize("name", ARMS)
 @pytest.mark.parametrize("pieces", [1, 7])
 def test_the_bound_is_below_the_minimum_and_near_it(
-    name: str, pieces: int, certified: dict[str, Certificate]
+    name: str, pieces: int, certified: dict[str, PathCertificate]
 ) -> None:
     """The bound is at most the least |det J| of many samples, and a quarter of it."""
     arm = certified[name]
@@ -33,7 +33,7 @@ def test_the_bound_is_below_the_minimum_and_near_it(
     assert least / 4.1 < bound <= least * (1 + 1e-9)
 
 
-def test_a_long_way_is_cut_where_det_is_small(arm6: Certificate) -> None:
+def test_a_long_way_is_cut_where_det_is_small(arm6: PathCertificate) -> None:
     """The boxes adapt: one segment of some radians takes no more than thirty."""
     whole = Cover(arm6)
     whole.cover()
@@ -42,7 +42,7 @@ def test_a_long_way_is_cut_where_det_is_small(arm6: Certificate) -> None:
 
 
 def test_what_taylor_s_polynomial_does_not_see_is_in_the_remainder(
-    arm3: Certificate, monkeypatch: pytest.MonkeyPatch
+    arm3: PathCertificate, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """1 - 100 q^6 is flat at 0, where its polynomial is 1, and negative at 1."""
     monkeypatch.setattr(
@@ -54,7 +54,7 @@ def test_what_taylor_s_polynomial_does_not_see_is_in_the_remainder(
     assert 0.2 < float(fine.cover()) < 1 - 100 * 0.3**6
 
 
-def test_a_path_may_rest(arm3: Certificate) -> None:
+def test_a_path_may_rest(arm3: PathCertificate) -> None:
     """A segment of length zero is a box like any other."""
     first = arm3.postures[0]
     rest = along(arm3, first, first)
@@ -113,14 +113,16 @@ def test_what_is_exactly_zero_is_never_told_from_zero() -> None:
         zero.cover()
 
 
-def test_an_arm_that_is_singular_everywhere_is_refused(arm3: Certificate) -> None:
+def test_an_arm_that_is_singular_everywhere_is_refused(arm3: PathCertificate) -> None:
     """Three joints on one axis: det J vanishes for want of any term."""
     joints = tuple(replace(joint, before=()) for joint in arm3.joints)
     with pytest.raises(Refusal, match="not decided"):
         Cover(replace(arm3, joints=joints, tool=())).cover()
 
 
-def test_work_is_bounded(arm6: Certificate, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_work_is_bounded(
+    arm6: PathCertificate, monkeypatch: pytest.MonkeyPatch
+) -> None:
     """Too many boxes, or too many halvings, is a refusal and no endless search."""
     monkeypatch.setattr(cover, "MAX_BOXES", 3)
     with pytest.raises(Refusal, match="not proved with 3 boxes"):

@@ -11,13 +11,13 @@ from flint import arb, arb_mat
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from cuspaudit.certificate import Certificate, Translate, krawczyk
+from cuspaudit.certificate import PathCertificate, Translate, krawczyk
 from cuspaudit.certificate.arm import arm_from_certificate
 from cuspaudit.certificate.balls import ball_from_fraction, working_precision
 from cuspaudit.certificate.krawczyk import PostureBox, _system, true_posture
 
 
-def box_round(arm: Certificate, second: Any, bits: int = 128) -> PostureBox | None:
+def box_round(arm: PathCertificate, second: Any, bits: int = 128) -> PostureBox | None:
     """The box that holds the true posture next to ``second``."""
     with working_precision(bits):
         first, near = (
@@ -27,7 +27,7 @@ def box_round(arm: Certificate, second: Any, bits: int = 128) -> PostureBox | No
         return true_posture(arm_from_certificate(arm, arb), first, near)
 
 
-def newton(arm: Certificate, bits: int = 512) -> list[arb]:
+def newton(arm: PathCertificate, bits: int = 512) -> list[arb]:
     """The true second posture by Newton's method with many bits."""
     with working_precision(bits):
         balls = arm_from_certificate(arm, arb)
@@ -42,7 +42,7 @@ def newton(arm: Certificate, bits: int = 512) -> list[arb]:
 
 @pytest.mark.parametrize("name", ARMS)
 def test_the_true_posture_is_in_the_box(
-    name: str, certified: dict[str, Certificate]
+    name: str, certified: dict[str, PathCertificate]
 ) -> None:
     """The limit of Newton's method with 512 bits lies in the box found with 128."""
     arm = certified[name]
@@ -56,7 +56,7 @@ def test_the_true_posture_is_in_the_box(
 @pytest.mark.parametrize("name", ["issac", "sliding", "crx"])
 @pytest.mark.parametrize(("by", "found"), [("1e-12", True), ("1e-8", False)])
 def test_the_box_grows_with_the_defect_up_to_its_bound(
-    name: str, by: str, found: bool, certified: dict[str, Certificate]
+    name: str, by: str, found: bool, certified: dict[str, PathCertificate]
 ) -> None:
     """A rough second posture needs a larger box; one beyond 1e-9 is refused."""
     arm = certified[name]
@@ -67,7 +67,7 @@ def test_the_box_grows_with_the_defect_up_to_its_bound(
         assert 5e-13 < box.radius < 1e-11
 
 
-def test_the_derivative_is_that_of_differences(arm6: Certificate) -> None:
+def test_the_derivative_is_that_of_differences(arm6: PathCertificate) -> None:
     """F' agrees with differences of F, at a pose far from the target."""
     with working_precision(256):
         balls = arm_from_certificate(arm6, arb)
@@ -97,7 +97,7 @@ def test_every_posture_is_a_posture_of_its_own_pose(tenths: list[int]) -> None:
         assert box.radius < 1e-15
 
 
-def test_a_half_turn_is_another_pose(arm6: Certificate) -> None:
+def test_a_half_turn_is_another_pose(arm6: PathCertificate) -> None:
     """A hand turned half round its own axis has the same skew part, not the pose."""
     pi = Fraction("3.14159265358979323846264338327950288")
     *others, last = arm6.postures[0]
@@ -119,7 +119,7 @@ def test_no_box_reaches_over_a_singularity(monkeypatch: pytest.MonkeyPatch) -> N
 
 
 def test_a_box_without_a_posture_is_refused(
-    arm6: Certificate, monkeypatch: pytest.MonkeyPatch
+    arm6: PathCertificate, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """A box of 1e-12 round a point 1e-10 away from the posture holds none."""
     second = (arm6.postures[1][0] + Fraction(1, 10**10), *arm6.postures[1][1:])
@@ -128,7 +128,7 @@ def test_a_box_without_a_posture_is_refused(
     assert box_round(arm6, second) is None
 
 
-def test_a_singular_posture_is_refused(arm3: Certificate) -> None:
+def test_a_singular_posture_is_refused(arm3: PathCertificate) -> None:
     """Where the Jacobian matrix is singular no box is found."""
     zero = (Fraction(0),) * 3
     still = tuple(replace(joint, before=()) for joint in arm3.joints)

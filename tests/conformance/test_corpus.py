@@ -16,7 +16,7 @@ from cuspaudit.audit.library import open_robot
 from cuspaudit.audit.report import Audit, Options, audit
 from cuspaudit.audit.witness import Witness
 from cuspaudit.certificate import (
-    Certificate,
+    PathCertificate,
     certificate_from_text,
     text_from_certificate,
     verify,
@@ -90,7 +90,7 @@ def _faults(found: Audit, entry: dict[str, str]) -> list[str]:
     return faults
 
 
-def _refused(certificate: Certificate) -> list[str]:
+def _refused(certificate: PathCertificate) -> list[str]:
     """What is wrong with a certificate: it must hold as written, and not altered."""
     read = certificate_from_text(text_from_certificate(certificate))
     verification = verify(read)
