@@ -56,7 +56,7 @@ class RobotTest(pytest.Item):
 
     def runtest(self) -> None:
         """Audit and compare."""
-        from cuspaudit.audit.family import check_robot
+        from cuspaudit.auditing.check import check_robot
 
         result = check_robot(self.path)
         if result.is_failure:

@@ -6,8 +6,9 @@ from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
 
-from cuspaudit.audit.answer import Answer, answer
-from cuspaudit.kinematics.chain import (
+from cuspaudit.auditing.answer import Answer, answer
+from cuspaudit.kinematics.exact_model import exact_model
+from cuspaudit.robot.chain import (
     X_AXIS,
     Z_AXIS,
     Angle,
@@ -17,7 +18,6 @@ from cuspaudit.kinematics.chain import (
     Rotation,
     Translation,
 )
-from cuspaudit.kinematics.exact_model import exact_model
 
 Number = int | str | Fraction
 

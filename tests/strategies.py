@@ -6,7 +6,7 @@ from fractions import Fraction
 
 from hypothesis import strategies as st
 
-from cuspaudit.kinematics.chain import (
+from cuspaudit.robot.chain import (
     Angle,
     Chain,
     Joint,

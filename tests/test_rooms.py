@@ -5,40 +5,49 @@ from __future__ import annotations
 import ast
 from pathlib import Path
 
+import networkx as nx
 import pytest
 
 import cuspaudit
 
 ROOT = Path(cuspaudit.__file__).parent
+BASE = {"errors", "count", "runtime"}
+GEOMETRY = BASE | {"algebra", "geometry"}
+DECISION = GEOMETRY | {"surface", "cuspidality"}
+MODEL = BASE | {"algebra", "robot", "kinematics"}
+AUDIT = DECISION | MODEL | {"certificate", "auditing"}
 ALLOWED = {
     "errors": set(),
-    "algebra": {"errors"},
-    "geometry": {"errors", "algebra"},
-    "surface": {"errors", "algebra", "geometry"},
-    "cuspidality": {"errors", "algebra", "geometry", "surface"},
+    "count": set(),
+    "runtime": {"errors"},
+    "algebra": BASE,
+    "geometry": GEOMETRY,
+    "surface": GEOMETRY,
+    "cuspidality": DECISION,
     "certificate": {"errors"},
-    "kinematics": {"errors", "algebra"},
-    "viz": {"errors", "certificate", "kinematics"},
-    "audit": {
-        *("errors", "algebra", "geometry", "surface", "cuspidality"),
-        *("certificate", "kinematics"),
-    },
-    "cli": {"errors", "audit", "certificate", "kinematics", "viz"},
-    "pytest_plugin": {"audit"},
+    "robot": BASE | {"algebra"},
+    "kinematics": MODEL,
+    "auditing": AUDIT,
+    "family": AUDIT,
+    "viz": {"errors", "certificate", "robot"},
+    "pictures": AUDIT | {"viz"},
+    "api": AUDIT | {"family", "viz", "pictures"},
+    "cli": AUDIT | {"family", "viz", "pictures", "api"},
+    "pytest_plugin": {"auditing", "robot"},
 }
 OWNERS = {
     "sympy": {"algebra"},
     "flint": {
         *("algebra", "geometry", "surface", "cuspidality"),
-        *("certificate", "kinematics"),
+        *("certificate", "robot", "kinematics", "family"),
     },
     "networkx": {"geometry", "surface"},
-    "yourdfpy": {"kinematics"},
+    "yourdfpy": {"robot"},
     "meshcat": {"viz"},
     "matplotlib": {"viz"},
-    "pinocchio": {"audit"},
-    "pyarrow": {"audit"},
-    "distributed": {"audit"},
+    "pinocchio": {"auditing"},
+    "pyarrow": {"family"},
+    "distributed": {"family"},
     "pytest": {"pytest_plugin"},
 }
 
@@ -81,3 +90,32 @@ def test_each_heavy_dependency_has_its_owner(path: Path) -> None:
         head = name.split(".")[0]
         if head in OWNERS:
             assert room_of(path) in OWNERS[head], f"{name} in {room_of(path)}"
+
+
+def module_name(path: Path) -> str:
+    """The dotted name of a module; of a package without its ``__init__``."""
+    parts = ("cuspaudit", *path.relative_to(ROOT).with_suffix("").parts)
+    return ".".join(parts).removesuffix(".__init__")
+
+
+def test_no_module_imports_itself_through_others() -> None:
+    """Inside a room too, imports go one way: the modules have an order."""
+    names = {module_name(path) for path in MODULES}
+    graph: nx.DiGraph[str] = nx.DiGraph()
+    for path in MODULES:
+        if path.name != "__init__.py":
+            for name in imports(path):
+                target = name if name in names else name.rpartition(".")[0]
+                graph.add_edge(module_name(path), target)
+    assert graph.number_of_edges() > len(MODULES)
+    assert [c for c in nx.strongly_connected_components(graph) if len(c) > 1] == []
+
+
+def test_tests_stand_where_their_rooms_do() -> None:
+    """A folder of tests has its room, and a folder inside it the same folder there."""
+    here = Path(__file__).parent
+    others = {"benchmarks", "conformance", "fuzz", "systems"}
+    folders = {p.parent.relative_to(here) for p in here.rglob("test_*.py")}
+    mirrored = [f for f in folders if f.parts and f.parts[0] not in others]
+    assert len(mirrored) > 20
+    assert [str(f) for f in mirrored if not (ROOT / f / "__init__.py").is_file()] == []

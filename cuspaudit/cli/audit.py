@@ -62,8 +62,8 @@ def audit(
     ] = False,
 ) -> None:
     """Import, decide, certify, cross-check and report: the main job."""
-    from cuspaudit.audit.proof_record import proof_record
-    from cuspaudit.audit.writing import check_writable, write_text
+    from cuspaudit.auditing.proof_record import proof_record
+    from cuspaudit.runtime.writing import check_writable, write_text
 
     files = [f for f in (html, certificate) if f is not None]
     if json_file not in (None, "-"):

@@ -38,9 +38,9 @@ def check(
     ] = False,
 ) -> None:
     """Hold every robot file to the verdict and counts recorded in it."""
-    from cuspaudit.audit.expectation import annotation, write_expectation
-    from cuspaudit.audit.family import check_robots, junit, robot_files
-    from cuspaudit.audit.writing import check_writable, write_text
+    from cuspaudit.auditing.check import check_robots, junit, robot_files
+    from cuspaudit.auditing.expectation import annotation, write_expectation
+    from cuspaudit.runtime.writing import check_writable, write_text
 
     if junit_file:
         check_writable(junit_file)

@@ -56,9 +56,9 @@ def decide(
     the sheets of R over the cells of its values (roadmap), and the maxima and saddles
     of |Delta| (routing). auto takes the first, and the second where that is unable.
     """
-    from cuspaudit.audit.system_file import read_system
-    from cuspaudit.audit.system_report import decide_system
-    from cuspaudit.audit.writing import check_writable, write_text
+    from cuspaudit.auditing.systems.file import read_system
+    from cuspaudit.auditing.systems.report import decide_system
+    from cuspaudit.runtime.writing import check_writable, write_text
 
     if json_file not in (None, "-"):
         check_writable(Path(json_file or ""))

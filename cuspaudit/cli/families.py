@@ -56,7 +56,7 @@ def sweep(
     ] = None,
 ) -> None:
     """Decide every member of a family, exactly; run again to go on after a stop."""
-    from cuspaudit.audit.sweep import sweep as run
+    from cuspaudit.family.sweep import sweep as run
 
     try:
         with _progress() as report:
@@ -95,9 +95,9 @@ def plot_family(
     Raises:
         InvalidInputError: no sweep, an unknown name, or a file that cannot be written.
     """
-    from cuspaudit.audit.phases import phases_of
-    from cuspaudit.audit.writing import check_writable, write_text
-    from cuspaudit.viz.phase import draw_phases, phase_page
+    from cuspaudit.family.phases import phases_of
+    from cuspaudit.runtime.writing import check_writable, write_text
+    from cuspaudit.viz.plot.phase import draw_phases, phase_page
 
     ending = output.suffix.lower()
     if ending not in (".png", ".svg", ".html"):

@@ -24,8 +24,8 @@ from cuspaudit.cli.summary import print_understood
 from cuspaudit.errors import InvalidInputError
 
 if TYPE_CHECKING:
-    from cuspaudit.kinematics.robot import Robot
-    from cuspaudit.kinematics.snap_policy import SnapPolicy
+    from cuspaudit.robot.robot import Robot
+    from cuspaudit.robot.snap_policy import SnapPolicy
 
 __all__ = ["import_"]
 
@@ -72,8 +72,8 @@ def import_(
             found="no robot named",
             expected="give ROBOT, or --list for the names known",
         )
-    from cuspaudit.audit.understood import understood
-    from cuspaudit.kinematics.snap_policy import policy_from_name
+    from cuspaudit.auditing.import_record import understood
+    from cuspaudit.robot.snap_policy import policy_from_name
 
     square = to in (Form.poly, Form.msolve)
     opened, _ = open_named(
@@ -88,8 +88,8 @@ def import_(
 
 
 def _print_names() -> None:
-    from cuspaudit.audit.descriptions import description_names
-    from cuspaudit.audit.library import library
+    from cuspaudit.robot.descriptions import description_names
+    from cuspaudit.robot.library import library
 
     for name, path in library():
         typer.echo(f"{name:28} {path}")
@@ -99,10 +99,10 @@ def _print_names() -> None:
 
 def _written(robot: Robot, form: Form, policy: SnapPolicy, seed: int) -> str:
     """The snapped model of ``robot`` in ``form``."""
-    from cuspaudit.kinematics import snap
-    from cuspaudit.kinematics.dh_writing import table_text
     from cuspaudit.kinematics.exact_model import exact_model
     from cuspaudit.kinematics.export import msolve_system, poly_text
+    from cuspaudit.robot import snap
+    from cuspaudit.robot.formats.dh.write import table_text
 
     chain = snap(robot.chain, policy)[0]
     if form in (Form.dh, Form.dh_modified):

@@ -59,8 +59,8 @@ def _indices(files: Mapping[int, str], wanted: Sequence[str]) -> list[int]:
 
 
 def _audit(folder: Path, index: int, text: str) -> None:
-    from cuspaudit.audit.library import open_robot
-    from cuspaudit.audit.writing import write_text
+    from cuspaudit.robot.library import open_robot
+    from cuspaudit.runtime.writing import write_text
 
     file = _page(folder, index).with_suffix(".yaml")
     file.parent.mkdir(exist_ok=True)

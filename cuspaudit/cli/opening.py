@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from cuspaudit.errors import InvalidInputError
 
 if TYPE_CHECKING:
-    from cuspaudit.kinematics.robot import Robot
+    from cuspaudit.robot.robot import Robot
 
 __all__ = ["open_named"]
 
@@ -29,7 +29,7 @@ def open_named(
         name: a file, or a name of the library.
         base: base link of a URDF.
         tip: tip link of a URDF.
-        task: a name in `kinematics.task.DIMENSIONS`.
+        task: a name in `robot.task.DIMENSIONS`.
         lock: entries JOINT=VALUE.
         convention: D-H convention of a CSV that does not say.
         angle_unit: unit of bare angles in a D-H table.
@@ -38,7 +38,7 @@ def open_named(
     Raises:
         InvalidInputError: no such robot, or one that cannot be read so.
     """
-    from cuspaudit.audit.library import open_robot
+    from cuspaudit.robot.library import open_robot
 
     locked = dict(_joint_and_value(entry) for entry in lock or [])
     robot = open_robot(

@@ -24,7 +24,7 @@ from cuspaudit.cli.running import STEPS, progress_bar
 from cuspaudit.errors import InvalidInputError
 
 if TYPE_CHECKING:
-    from cuspaudit.kinematics.robot import Robot
+    from cuspaudit.robot.robot import Robot
 
 __all__ = ["plot"]
 
@@ -77,12 +77,12 @@ def _plot_robot(robot: Robot, output: Path, snap: str, at: str | None) -> None:
         InvalidInputError: a value or a file that cannot be used.
         UnableError: there is nothing to draw for this robot.
     """
-    from cuspaudit.audit.landscape import Landscape, picture_of
-    from cuspaudit.audit.report import Options
-    from cuspaudit.audit.writing import check_writable
-    from cuspaudit.kinematics.snap_policy import policy_from_name
-    from cuspaudit.viz.landscape import landscape_sheet
-    from cuspaudit.viz.plot_files import save_plot
+    from cuspaudit.auditing.audit import Options
+    from cuspaudit.pictures.landscape import Landscape, picture_of
+    from cuspaudit.robot.snap_policy import policy_from_name
+    from cuspaudit.runtime.writing import check_writable
+    from cuspaudit.viz.plot.files import save_plot
+    from cuspaudit.viz.plot.six_joints import landscape_sheet
 
     check_writable(output)
     with progress_bar(STEPS) as step:
@@ -93,8 +93,8 @@ def _plot_robot(robot: Robot, output: Path, snap: str, at: str | None) -> None:
 
 
 def _value(text: str | None) -> tuple[Fraction, Fraction] | None:
-    from cuspaudit.kinematics.numbers import parse_length
-    from cuspaudit.kinematics.place import Place
+    from cuspaudit.robot.numbers import parse_length
+    from cuspaudit.robot.place import Place
 
     if text is None:
         return None

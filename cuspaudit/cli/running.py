@@ -10,9 +10,9 @@ from rich.console import Console
 from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 
 if TYPE_CHECKING:
-    from cuspaudit.audit.report import Audit
-    from cuspaudit.kinematics.chain import Chain
-    from cuspaudit.kinematics.robot import Robot
+    from cuspaudit.auditing.audit import Audit
+    from cuspaudit.robot.chain import Chain
+    from cuspaudit.robot.robot import Robot
 
 __all__ = ["STEPS", "certificate_text", "page_text", "progress_bar", "run_audit"]
 
@@ -37,8 +37,8 @@ def run_audit(
     Raises:
         CuspauditError: no audit of this robot, or no such policy of numbers.
     """
-    from cuspaudit.audit.report import Options, audit
-    from cuspaudit.kinematics.snap_policy import policy_from_name
+    from cuspaudit.auditing.audit import Options, audit
+    from cuspaudit.robot.snap_policy import policy_from_name
 
     policy = policy_from_name(snap)
     with progress_bar(STEPS) as step:
@@ -56,9 +56,9 @@ def certificate_text(result: Audit) -> str | None:
 
 def page_text(record: Mapping[str, Any], result: Audit, proof: str | None) -> str:
     """The offline page: the witness path, or the postures of one pose."""
-    from cuspaudit.audit.library import example_robot_data
-    from cuspaudit.audit.shown import shown_postures
-    from cuspaudit.kinematics.visuals import visuals
+    from cuspaudit.pictures.postures import shown_postures
+    from cuspaudit.robot.formats.urdf.visuals import visuals
+    from cuspaudit.robot.library import example_robot_data
     from cuspaudit.viz import build_scene, render_page, sample_path, sample_postures
 
     chain: Chain = result.shown_chain

@@ -46,7 +46,7 @@ def show(
     seed: Seed = 0,
 ) -> None:
     """Show the witness path in a browser, or the postures of one pose."""
-    from cuspaudit.audit.writing import check_writable, write_text
+    from cuspaudit.runtime.writing import check_writable, write_text
     from cuspaudit.viz import serve
 
     if html:

@@ -29,17 +29,17 @@ from cuspaudit.algebra.parametrization import (
 )
 from cuspaudit.algebra.ring import Polynomial
 from cuspaudit.algebra.system import PolynomialMap, PolynomialSystem
-from cuspaudit.cuspidality.steps import Step, Steps
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import DegenerateMapError, RetryableError, UnableError
 from cuspaudit.geometry.assumption_a import check_assumption_a
 from cuspaudit.geometry.atypical_values import AtypicalValues, atypical_values
-from cuspaudit.geometry.axis_order import axis_order
+from cuspaudit.geometry.cells.axis_order import axis_order
+from cuspaudit.geometry.cells.open_cells import OpenCells, open_cells
 from cuspaudit.geometry.crit import crit
-from cuspaudit.geometry.generic_fiber import GenericFiber
-from cuspaudit.geometry.open_cells import OpenCells, open_cells
+from cuspaudit.geometry.fibers.generic_fiber import GenericFiber
 from cuspaudit.geometry.roadmap import roadmap
 from cuspaudit.geometry.routing import routing
+from cuspaudit.runtime.steps import Step, Steps
 
 __all__ = ["Couple", "Decision", "Engine", "decide", "points_over"]
 
@@ -195,7 +195,7 @@ def points_over(
 ) -> ZeroDimensionalParametrization:
     """The points of V over a value with lc disc != 0 (the paper's P_q).
 
-    Complete by the theorem of `geometry.generic_fiber`.
+    Complete by the theorem of `geometry.fibers.generic_fiber`.
     """
     omega, rho = fiber.over(value)
     leading = omega[omega.degree()]

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from cuspaudit.algebra.ring import Polynomial
 from cuspaudit.algebra.system import PolynomialMap, PolynomialSystem
-from cuspaudit.geometry.generic_fiber import GenericFiber, generic_fiber
+from cuspaudit.geometry.fibers.generic_fiber import GenericFiber, generic_fiber
 
 __all__ = ["AtypicalValues", "atypical_values"]
 
@@ -37,8 +37,8 @@ def atypical_values(
 
     [Paper, section 3.1, routine AtypicalValues]: the closure of the critical values,
     and of the values over which R is not proper [Jelonek 1999]. By the theorem of
-    ``geometry.generic_fiber``, over a value that is no zero of lc disc the map R is
-    proper and jac(f, R) has full rank.
+    ``geometry.fibers.generic_fiber``, over a value that is no zero of lc disc the map R
+    is proper and jac(f, R) has full rank.
 
     Args:
         variety: V = {f = 0} over Q, of dimension d; assumption (A) is not checked.

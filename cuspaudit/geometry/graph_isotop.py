@@ -46,9 +46,9 @@ from cuspaudit.algebra.system import PolynomialSystem
 from cuspaudit.algebra.union import with_form
 from cuspaudit.algebra.univariate import RealRoot
 from cuspaudit.errors import CrossCheckError, NotOnVarietyError, UnableError
-from cuspaudit.geometry.curve_fiber import CurveFiber, Place
-from cuspaudit.geometry.curve_parametrization import Curve, parametrized_curve
-from cuspaudit.geometry.curve_sections import CurveSections, curve_sections
+from cuspaudit.geometry.curves.fiber import CurveFiber, Place
+from cuspaudit.geometry.curves.parametrization import Curve, parametrized_curve
+from cuspaudit.geometry.curves.sections import CurveSections, curve_sections
 
 __all__ = ["CurveGraph", "Vertex", "graph_isotop"]
 

@@ -5,8 +5,8 @@ R: V -> R^d is a local diffeomorphism, so its polar varieties are empty there an
 deformation of {Delta != 0} is needed; what remains of Canny's curve are fibers of R
 over segments of R^d parallel to the axes.
 
-**Theorem.** Let g = lc disc (``geometry.generic_fiber``). The vertices are the pairs
-(cell of {g != 0}, sheet over it). An edge joins two sheets, over a contact of two
+**Theorem.** Let g = lc disc (``geometry.fibers.generic_fiber``). The vertices are the
+pairs (cell of {g != 0}, sheet over it). An edge joins two sheets, over a contact of two
 cells, that continue each other with Delta != 0: sheet i and sheet i over a passage;
 over a wall, the sheets that end in one point of V with Delta != 0 over it. The
 components of V - {Delta = 0} are those of this graph.
@@ -21,7 +21,7 @@ of its equation with coefficients analytic along the wall (Abhyankar-Jung); thos
 without ramification and poles are sections of R. A section through {Delta != 0} at one
 point of the wall is there at almost all; so the chosen point can only miss a pair if
 Delta vanishes there on a section that it does not vanish on elsewhere. Where a pair may
-be missing this is excluded exactly (``geometry.wall_points``). QED
+be missing this is excluded exactly (``geometry.sheets.wall_points``). QED
 """
 
 from __future__ import annotations
@@ -43,18 +43,24 @@ from cuspaudit.algebra.ring import Ring
 from cuspaudit.algebra.system import PolynomialMap, PolynomialSystem
 from cuspaudit.algebra.univariate import PRECISIONS
 from cuspaudit.errors import PrecisionError, UnableError
-from cuspaudit.geometry.cell_way import way_inside
-from cuspaudit.geometry.continuation import (
+from cuspaudit.geometry.cells.open_cells import (
+    Cell,
+    Contact,
+    OpenCells,
+    Point,
+    open_cells,
+)
+from cuspaudit.geometry.cells.way_inside import way_inside
+from cuspaudit.geometry.fibers.generic_fiber import GenericFiber, generic_fiber
+from cuspaudit.geometry.lifts.continuation import (
     Continuation,
     continue_point,
     follow,
     square_chart,
 )
-from cuspaudit.geometry.generic_fiber import GenericFiber, generic_fiber
-from cuspaudit.geometry.lifting import Box, Chart
-from cuspaudit.geometry.open_cells import Cell, Contact, OpenCells, Point, open_cells
-from cuspaudit.geometry.sheet_crossing import cross, only_met
-from cuspaudit.geometry.wall_points import WallPoints
+from cuspaudit.geometry.lifts.lifting import Box, Chart
+from cuspaudit.geometry.sheets.sheet_crossing import cross, only_met
+from cuspaudit.geometry.sheets.wall_points import WallPoints
 
 __all__ = ["Roadmap", "Sheet", "roadmap"]
 

@@ -1,12 +1,12 @@
 """Connected components of V - {Delta = 0} by routing functions.
 
 **Theorem.** Let M be the set of regular points of V with P != 0, G a height on it
-(``geometry.height``) such that every {G >= c} is compact, and all critical points of G
-nondegenerate. Give every critical point S with exactly one positive eigenvalue of the
-Hessian ("saddle") an edge: each of its two exits, the pieces of {G > G(S)} next to S,
-is joined to some maximum by a path on which G > G(S), and the edge joins these two
-maxima. Then two maxima lie in one component of M if and only if they are connected in
-this graph, and every component of M has a maximum.
+(``geometry.heights.height``) such that every {G >= c} is compact, and all critical
+points of G nondegenerate. Give every critical point S with exactly one positive
+eigenvalue of the Hessian ("saddle") an edge: each of its two exits, the pieces of {G >
+G(S)} next to S, is joined to some maximum by a path on which G > G(S), and the edge
+joins these two maxima. Then two maxima lie in one component of M if and only if they
+are connected in this graph, and every component of M has a maximum.
 
 *Proof.* (Hong, Rohal, Safey El Din, Schost, "Connectivity in semi-algebraic sets I",
 2020.) G attains its largest value on a component of M, because {G >= c} is compact:
@@ -49,13 +49,13 @@ from cuspaudit.errors import (
     PrecisionError,
     UnableError,
 )
-from cuspaudit.geometry.critical_points import Point, box_of, critical_points
-from cuspaudit.geometry.height import heights
-from cuspaudit.geometry.landscape import Landscape
-from cuspaudit.geometry.lifting import Box
-from cuspaudit.geometry.morse import Basin, CriticalPoint
-from cuspaudit.geometry.proved_ascent import Ascent, prove_ascent
-from cuspaudit.geometry.ways import Way, basin_of, graph_of_ways
+from cuspaudit.geometry.heights.charted_height import Landscape
+from cuspaudit.geometry.heights.critical_points import Point, box_of, critical_points
+from cuspaudit.geometry.heights.height import heights
+from cuspaudit.geometry.heights.morse import Basin, CriticalPoint
+from cuspaudit.geometry.heights.proved_ascent import Ascent, prove_ascent
+from cuspaudit.geometry.heights.saddle_ways import Way, basin_of, graph_of_ways
+from cuspaudit.geometry.lifts.lifting import Box
 
 __all__ = ["Point", "Routing", "morse_graph", "routing"]
 

@@ -40,7 +40,7 @@ from cuspaudit.errors import (
     UnableError,
 )
 from cuspaudit.geometry.assumption_a import check_assumption_a
-from cuspaudit.geometry.height import critical_system, heights
+from cuspaudit.geometry.heights.height import critical_system, heights
 
 __all__ = ["Sample", "sample_points"]
 

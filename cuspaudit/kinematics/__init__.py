@@ -1,29 +1,6 @@
-"""A robot and its polynomial map: chains, D-H tables, URDF, reductions."""
+"""The polynomial map of a robot, its postures, and the theorems about its axes."""
 
-from cuspaudit.kinematics.chain import (
-    Angle,
-    Chain,
-    Joint,
-    Rotation,
-    Translation,
-)
-from cuspaudit.kinematics.reading import read_robot
-from cuspaudit.kinematics.robot import Robot
-from cuspaudit.kinematics.snapping import Snapped, snap
-from cuspaudit.kinematics.task import check_task, lock
-from cuspaudit.kinematics.urdf import read_urdf
+from cuspaudit.kinematics.exact_model import ExactModel, exact_model
+from cuspaudit.kinematics.polynomial_map import jacobian_determinant, polynomial_map
 
-__all__ = [
-    "Angle",
-    "Chain",
-    "Joint",
-    "Robot",
-    "Rotation",
-    "Snapped",
-    "Translation",
-    "check_task",
-    "lock",
-    "read_robot",
-    "read_urdf",
-    "snap",
-]
+__all__ = ["ExactModel", "exact_model", "jacobian_determinant", "polynomial_map"]

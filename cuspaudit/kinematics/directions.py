@@ -9,7 +9,7 @@ from flint import arb, ctx, fmpq
 
 from cuspaudit.algebra.rationals import exact_rational, simplest_between
 from cuspaudit.algebra.ring import Polynomial, Ring, rational
-from cuspaudit.kinematics.chain import Angle, Vector
+from cuspaudit.robot.chain import Angle, Vector
 
 __all__ = ["cos_sin", "unit_vector"]
 

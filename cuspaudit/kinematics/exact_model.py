@@ -15,15 +15,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from cuspaudit.algebra.ring import Ring
-from cuspaudit.kinematics.chain import (
-    Angle,
-    Chain,
-    Joint,
-    Motion,
-    Rotation,
-    Translation,
-    Vector,
-)
+from cuspaudit.errors import UnableError
 from cuspaudit.kinematics.directions import cos_sin, unit_vector
 from cuspaudit.kinematics.transform import (
     Column,
@@ -33,9 +25,25 @@ from cuspaudit.kinematics.transform import (
     turn,
     zero,
 )
-from cuspaudit.kinematics.virtual_joint import with_virtual_joint
+from cuspaudit.robot.chain import (
+    Angle,
+    Chain,
+    Joint,
+    Motion,
+    Rotation,
+    Translation,
+    Vector,
+)
+from cuspaudit.robot.virtual_joint import with_virtual_joint
 
-__all__ = ["Approximation", "ExactJoint", "ExactModel", "exact_model"]
+__all__ = [
+    "Approximation",
+    "ExactJoint",
+    "ExactModel",
+    "circle_names",
+    "exact_model",
+    "revolute_circles",
+]
 
 TOLERANCE = Fraction(1, 10**12)
 _NO_FIELD = -1
@@ -139,6 +147,27 @@ def exact_model(chain: Chain, tolerance: Fraction = TOLERANCE) -> ExactModel:
         )
     tool = _product(ring, chain.tool, tolerance, "tool", note)
     return ExactModel(chain, ring, tuple(joints), tool, tuple(seen))
+
+
+def circle_names(model: ExactModel) -> list[tuple[str, str]]:
+    """The names (c_i, s_i) of the revolute joints, base to tip."""
+    joints = (joint for joint in model.joints if joint.kind == "revolute")
+    return [(joint.variables[0], joint.variables[1]) for joint in joints]
+
+
+def revolute_circles(model: ExactModel) -> list[tuple[str, str]]:
+    """The variables (c_i, s_i) of each joint.
+
+    Raises:
+        UnableError: a joint is prismatic.
+    """
+    circles = []
+    for joint in model.joints:
+        if joint.kind != "revolute":
+            raise UnableError("aspects", f"joint {joint.name} is prismatic")
+        c, s = joint.variables
+        circles.append((c, s))
+    return circles
 
 
 def _names(number: int, joint: Joint) -> tuple[str, ...]:

@@ -11,19 +11,18 @@ from cuspaudit.algebra.msolve import msolve_text
 from cuspaudit.algebra.ring import Polynomial, Ring
 from cuspaudit.algebra.trigonometric import factor_on_circles
 from cuspaudit.errors import UnableError
-from cuspaudit.kinematics.exact_model import ExactModel
-from cuspaudit.kinematics.numbers import format_angle
+from cuspaudit.kinematics.exact_model import ExactModel, circle_names
 from cuspaudit.kinematics.polynomial_map import (
     circles,
     jacobian_determinant,
     place,
 )
-from cuspaudit.kinematics.task import DIMENSIONS
-from cuspaudit.kinematics.virtual_joint import without_virtual_joint
+from cuspaudit.robot.numbers import format_angle
+from cuspaudit.robot.task import DIMENSIONS
+from cuspaudit.robot.virtual_joint import without_virtual_joint
 
 __all__ = [
     "InverseKinematics",
-    "circle_names",
     "inverse_kinematics",
     "msolve_system",
     "poly_text",
@@ -45,12 +44,6 @@ class InverseKinematics:
     ring: Ring
     equations: tuple[Polynomial, ...]
     posture: dict[str, Fraction]
-
-
-def circle_names(model: ExactModel) -> list[tuple[str, str]]:
-    """The names (c_i, s_i) of the revolute joints, base to tip."""
-    joints = (joint for joint in model.joints if joint.kind == "revolute")
-    return [(joint.variables[0], joint.variables[1]) for joint in joints]
 
 
 def poly_text(model: ExactModel) -> str:

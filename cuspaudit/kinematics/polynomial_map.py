@@ -14,10 +14,10 @@ from cuspaudit.algebra.matrix import determinant
 from cuspaudit.algebra.ring import Polynomial, Ring
 from cuspaudit.algebra.system import PolynomialMap, PolynomialSystem
 from cuspaudit.errors import UnableError
+from cuspaudit.kinematics.common_direction import cos_sin_angle
 from cuspaudit.kinematics.exact_model import ExactJoint, ExactModel
-from cuspaudit.kinematics.four_joints import cos_sin_angle
-from cuspaudit.kinematics.task import DIMENSIONS
 from cuspaudit.kinematics.transform import Column, Transform, cross, dot, identity
+from cuspaudit.robot.task import DIMENSIONS
 
 __all__ = [
     "KinematicMap",

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from cuspaudit.algebra.ring import Polynomial, Ring
-from cuspaudit.kinematics.chain import X_AXIS, Y_AXIS, Z_AXIS, Vector
+from cuspaudit.robot.chain import X_AXIS, Y_AXIS, Z_AXIS, Vector
 
 __all__ = [
     "Column",

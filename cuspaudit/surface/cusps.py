@@ -21,25 +21,13 @@ from dataclasses import dataclass, replace
 from cuspaudit.algebra.ring import Polynomial, Ring
 from cuspaudit.algebra.system import PolynomialMap
 from cuspaudit.algebra.univariate import RealRoot, Univariate, real_roots
+from cuspaudit.count import Count
 from cuspaudit.surface.roadmap import Roadmap
 from cuspaudit.surface.surface import ROTATIONS, Factor, Surface
 
-__all__ = ["Count", "cusps"]
+__all__ = ["cusps"]
 
 _RING_NAMES = ("w", "x")
-
-
-@dataclass(frozen=True)
-class Count:
-    """A number, and whether it is proved.
-
-    Attributes:
-        count: how many were found.
-        proved: False when a degenerate place was left out of the count.
-    """
-
-    count: int
-    proved: bool
 
 
 @dataclass(frozen=True)

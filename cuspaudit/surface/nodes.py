@@ -21,7 +21,7 @@ from flint import arb, ctx, fmpq
 from cuspaudit.algebra.ring import Polynomial, Ring
 from cuspaudit.algebra.system import PolynomialMap
 from cuspaudit.algebra.univariate import PRECISIONS, RealRoot, Univariate
-from cuspaudit.surface.cusps import Count
+from cuspaudit.count import Count
 from cuspaudit.surface.fibers import FiberPolynomials
 from cuspaudit.surface.roadmap import Roadmap
 

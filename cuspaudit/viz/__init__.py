@@ -1,10 +1,10 @@
 """What a person looks at: the animated scene, the audit page, the figures."""
 
-from cuspaudit.viz.motion import PathFrames, sample_path, sample_postures
 from cuspaudit.viz.page import render_page
-from cuspaudit.viz.scene import Scene, build_scene
+from cuspaudit.viz.scene.motion import PathFrames, sample_path, sample_postures
+from cuspaudit.viz.scene.scene import Scene, build_scene
+from cuspaudit.viz.scene.shapes import LinkShape
 from cuspaudit.viz.server import serve
-from cuspaudit.viz.shapes import LinkShape
 
 __all__ = [
     "LinkShape",

@@ -13,7 +13,7 @@ from importlib.resources import files
 
 from jinja2 import Environment, PackageLoader, StrictUndefined
 
-from cuspaudit.viz.words import number
+from cuspaudit.viz.page_rows import number
 
 __all__ = ["asset", "environment", "policy"]
 

@@ -17,11 +17,8 @@ from typing import Any
 
 from markupsafe import Markup
 
-from cuspaudit.viz.meshcat_commands import viewer_license, viewer_script
 from cuspaudit.viz.offline import asset, environment, policy
-from cuspaudit.viz.scene import Scene
-from cuspaudit.viz.strip import build_strip
-from cuspaudit.viz.words import (
+from cuspaudit.viz.page_rows import (
     counts,
     model_rows,
     no_path_reason,
@@ -30,6 +27,9 @@ from cuspaudit.viz.words import (
     proof_rows,
     verdict_words,
 )
+from cuspaudit.viz.scene.meshcat_commands import viewer_license, viewer_script
+from cuspaudit.viz.scene.scene import Scene
+from cuspaudit.viz.scene.strip import build_strip
 
 __all__ = ["render_page"]
 

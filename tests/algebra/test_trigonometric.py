@@ -16,10 +16,9 @@ from cuspaudit.algebra.trigonometric import (
     reduce_on_circles,
 )
 from cuspaudit.errors import CrossCheckError
-from cuspaudit.kinematics.exact_model import exact_model
-from cuspaudit.kinematics.export import circle_names
+from cuspaudit.kinematics.exact_model import circle_names, exact_model
 from cuspaudit.kinematics.polynomial_map import jacobian_determinant
-from cuspaudit.kinematics.reading import read_robot
+from cuspaudit.robot.formats.read_robot import read_robot
 
 ROBOTS = Path(cuspaudit.__file__).parents[1] / "robots"
 CIRCLES = [("c2", "s2"), ("c3", "s3")]

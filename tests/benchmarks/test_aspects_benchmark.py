@@ -11,11 +11,11 @@ from typing import Any
 
 import pytest
 
-from cuspaudit.audit.aspect_routing import route_aspects
-from cuspaudit.audit.aspects import count_aspects
-from cuspaudit.audit.library import open_robot
+from cuspaudit.auditing.aspects import count_aspects
+from cuspaudit.auditing.search.aspect_routing import route_aspects
+from cuspaudit.count import Count
 from cuspaudit.kinematics.exact_model import exact_model
-from cuspaudit.surface.cusps import Count
+from cuspaudit.robot.library import open_robot
 
 LIMITS = {"fanuc-crx-10ia-l": 20, "ur5": 30, "kinova-jaco-gen2": 20, "abb-gofa-5": 20}
 ASPECTS = {"ur5": 8}

@@ -16,9 +16,9 @@ import pytest
 from short_tables import arm
 
 from cuspaudit.cuspidality.surface_decision import decide_surface
-from cuspaudit.kinematics.chain import Chain
 from cuspaudit.kinematics.exact_model import exact_model
 from cuspaudit.kinematics.polynomial_map import reduced_map
+from cuspaudit.robot.chain import Chain
 
 
 def hundred() -> list[tuple[str, Chain]]:

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 from short_tables import arm
 
-from cuspaudit.kinematics.postures import PostureSolver
+from cuspaudit.kinematics.postures.numeric import PostureSolver
 
 POSES = 50
 TABLES = {

@@ -16,21 +16,21 @@ from flint import fmpq
 
 import cuspaudit
 from cuspaudit.algebra.msolve import find_msolve, msolve_text, run_msolve
-from cuspaudit.audit.library import open_robot
-from cuspaudit.audit.report import Options, audit
-from cuspaudit.audit.torus_path import height_of
+from cuspaudit.auditing.audit import Options, audit
+from cuspaudit.auditing.search.torus_determinant import TorusDeterminant
+from cuspaudit.auditing.search.torus_path import height_of
 from cuspaudit.errors import UnableError
 from cuspaudit.kinematics.exact_model import exact_model
-from cuspaudit.kinematics.exact_postures import (
+from cuspaudit.kinematics.postures.exact import (
     arm_and_pose,
     exact_postures,
     real_postures,
 )
-from cuspaudit.kinematics.loop_equations import loop_equations
-from cuspaudit.kinematics.postures import PostureSolver
-from cuspaudit.kinematics.raghavan_roth import closed, fifth_axis, first_side
-from cuspaudit.kinematics.reading import read_robot
-from cuspaudit.kinematics.torus_determinant import TorusDeterminant
+from cuspaudit.kinematics.postures.loop_equations import loop_equations
+from cuspaudit.kinematics.postures.numeric import PostureSolver
+from cuspaudit.kinematics.postures.raghavan_roth import closed, fifth_axis, first_side
+from cuspaudit.robot.formats.read_robot import read_robot
+from cuspaudit.robot.library import open_robot
 
 ROBOTS = Path(cuspaudit.__file__).parents[1] / "robots"
 CRX = "fanuc-crx-10ia-l"

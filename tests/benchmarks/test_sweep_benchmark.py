@@ -12,9 +12,9 @@ import time
 from pathlib import Path
 from typing import Any
 
-from cuspaudit.audit.member import decide_member
-from cuspaudit.audit.sweep import sweep
-from cuspaudit.kinematics.family_file import read_family
+from cuspaudit.family.family_file import read_family
+from cuspaudit.family.row import decide_member
+from cuspaudit.family.sweep import sweep
 
 MEMBERS = int(os.environ.get("CUSPAUDIT_MEMBERS", "40"))
 FAMILY = """\

@@ -36,7 +36,7 @@ def test_exit_code_and_schema(name: str, code: int, engine: str) -> None:
     )
     record: dict[str, Any] = json.loads(output)
     schema = json.loads(
-        resources.files("cuspaudit.audit").joinpath("schema.json").read_text()
+        resources.files("cuspaudit.auditing").joinpath("schema.json").read_text()
     )
     jsonschema.validate(record, schema)
     assert found == code

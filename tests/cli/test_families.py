@@ -137,6 +137,6 @@ def test_interrupt_keeps_the_rows(
     _, err = process.communicate(timeout=20)
     assert process.returncode == 130
     assert err == "cuspaudit: interrupted; the rows so far are kept\n"
-    from cuspaudit.audit.store import read_rows
+    from cuspaudit.family.store import read_rows
 
     assert len(read_rows(out)) > 0

@@ -16,7 +16,7 @@ import pytest
 
 from cuspaudit.cli import main
 
-SCHEMA = json.loads((files("cuspaudit.audit") / "schema.json").read_text("utf-8"))
+SCHEMA = json.loads((files("cuspaudit.auditing") / "schema.json").read_text("utf-8"))
 
 
 def run(*arguments: object, capsys: pytest.CaptureFixture[str]) -> tuple[int, str, str]:

@@ -2,9 +2,9 @@ from __future__ import annotations
 
 import pytest
 
-from cuspaudit.audit.library import open_robot
-from cuspaudit.audit.report import Options, audit
+from cuspaudit.auditing.audit import Options, audit
 from cuspaudit.cli.running import STEPS
+from cuspaudit.robot.library import open_robot
 
 
 @pytest.mark.parametrize("name", ["chablat-2022-3r", "kuka-kr-6-r900"])

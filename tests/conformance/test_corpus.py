@@ -11,21 +11,21 @@ from pathlib import Path
 
 import pytest
 
-from cuspaudit.audit.aspects import count_aspects
-from cuspaudit.audit.library import open_robot
-from cuspaudit.audit.report import Audit, Options, audit
-from cuspaudit.audit.witness import Witness
+from cuspaudit.auditing.aspects import count_aspects
+from cuspaudit.auditing.audit import Audit, Options, audit
+from cuspaudit.auditing.witness import Witness
 from cuspaudit.certificate import (
     PathCertificate,
     certificate_from_text,
     text_from_certificate,
     verify,
 )
+from cuspaudit.count import Count
 from cuspaudit.errors import CuspauditError
 from cuspaudit.kinematics.exact_model import exact_model
-from cuspaudit.kinematics.snap_policy import policy_from_name
-from cuspaudit.kinematics.snapping import snap
-from cuspaudit.surface.cusps import Count
+from cuspaudit.robot.library import open_robot
+from cuspaudit.robot.snap_policy import policy_from_name
+from cuspaudit.robot.snapping import snap
 
 WORKERS = 2
 MOST_UNDECIDED = 5

@@ -10,12 +10,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from short_tables import arm, ask, degrees, numbers, shift
 
-from cuspaudit.audit.answer import Answer
-from cuspaudit.audit.witness import find_witness
+from cuspaudit.auditing.answer import Answer
+from cuspaudit.auditing.witness import find_witness
 from cuspaudit.certificate import verify
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import DegenerateMapError
-from cuspaudit.kinematics.chain import (
+from cuspaudit.robot.chain import (
     X_AXIS,
     Z_AXIS,
     Chain,

@@ -11,9 +11,9 @@ from pathlib import Path
 import pytest
 from small_families import ORTHOGONAL, UR_PATTERN
 
-from cuspaudit.audit.member import decide_member
-from cuspaudit.kinematics.family_file import read_family
-from cuspaudit.kinematics.members import Family
+from cuspaudit.family.family import Family
+from cuspaudit.family.family_file import read_family
+from cuspaudit.family.row import decide_member
 
 RANDOM_LENGTHS = """\
 parameters:

@@ -15,17 +15,17 @@ from short_tables import Number, arm, ask, numbers
 from cuspaudit.algebra.numeric import numeric_values
 from cuspaudit.algebra.ring import Polynomial
 from cuspaudit.algebra.ring import rational as flint_rational
-from cuspaudit.audit.answer import Answer
-from cuspaudit.audit.library import open_robot
-from cuspaudit.audit.witness import find_witness
+from cuspaudit.auditing.answer import Answer
+from cuspaudit.auditing.witness import find_witness
+from cuspaudit.cuspidality.surface_path import posture_angles
 from cuspaudit.cuspidality.verdict import Verdict
-from cuspaudit.cuspidality.witness import posture_angles
 from cuspaudit.geometry.crit import crit
-from cuspaudit.kinematics.chain import Chain
 from cuspaudit.kinematics.exact_model import exact_model
-from cuspaudit.kinematics.frames import frames, jacobian
 from cuspaudit.kinematics.polynomial_map import reduced_map
-from cuspaudit.kinematics.snapping import snap
+from cuspaudit.robot.chain import Chain
+from cuspaudit.robot.frames import frames, jacobian
+from cuspaudit.robot.library import open_robot
+from cuspaudit.robot.snapping import snap
 from cuspaudit.surface.graph_isotop import graph_isotop
 from cuspaudit.surface.sample_points import sample_points
 

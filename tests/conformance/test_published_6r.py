@@ -10,13 +10,13 @@ import numpy as np
 import pytest
 
 import cuspaudit
-from cuspaudit.audit.library import open_robot
-from cuspaudit.audit.report import Options, audit
-from cuspaudit.audit.witness import certificate_of, certified
+from cuspaudit.auditing.audit import Options, audit
+from cuspaudit.auditing.witness import certificate_of, certified
 from cuspaudit.certificate import verify
-from cuspaudit.kinematics.chain import Chain, Joint, Translation
-from cuspaudit.kinematics.frames import jacobian
-from cuspaudit.kinematics.reading import read_robot
+from cuspaudit.robot.chain import Chain, Joint, Translation
+from cuspaudit.robot.formats.read_robot import read_robot
+from cuspaudit.robot.frames import jacobian
+from cuspaudit.robot.library import open_robot
 
 ROBOTS = Path(cuspaudit.__file__).parents[1] / "robots"
 Rows = tuple[tuple[object, object, object], ...]

@@ -12,20 +12,19 @@ from short_tables import Number, arm, ask, numbers, shift, with_wrist
 
 from cuspaudit.algebra.numeric import NumericPolynomial
 from cuspaudit.algebra.trigonometric import factor_on_circles
-from cuspaudit.audit.library import open_robot
-from cuspaudit.audit.singular import model_points
-from cuspaudit.audit.six_joint_witness import needs_search, search_witness
-from cuspaudit.audit.witness import find_witness
+from cuspaudit.auditing.crosscheck.singular_postures import model_points
+from cuspaudit.auditing.deciders.by_search import needs_search, search_witness
+from cuspaudit.auditing.witness import find_witness
 from cuspaudit.certificate import verify
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import DegenerateMapError
-from cuspaudit.kinematics.chain import Chain, Rotation, Translation, reverse
-from cuspaudit.kinematics.exact_model import exact_model
-from cuspaudit.kinematics.export import circle_names
+from cuspaudit.kinematics.exact_model import circle_names, exact_model
 from cuspaudit.kinematics.polynomial_map import jacobian_determinant
-from cuspaudit.kinematics.postures import PostureSolver
-from cuspaudit.kinematics.snapping import snap
-from cuspaudit.kinematics.triple_and_pair import triple_and_pair
+from cuspaudit.kinematics.postures.numeric import PostureSolver
+from cuspaudit.kinematics.theorems.triple_and_pair import triple_and_pair
+from cuspaudit.robot.chain import Chain, Rotation, Translation, reverse
+from cuspaudit.robot.library import open_robot
+from cuspaudit.robot.snapping import snap
 
 Row = tuple[Number, ...]
 

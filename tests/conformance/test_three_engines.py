@@ -10,11 +10,11 @@ import yaml
 from short_tables import arm
 
 import cuspaudit
-from cuspaudit.audit.library import open_robot
 from cuspaudit.cuspidality import decide, decide_pairs, decide_surface
 from cuspaudit.kinematics.exact_model import exact_model
 from cuspaudit.kinematics.polynomial_map import reduced_map
-from cuspaudit.kinematics.snapping import snap
+from cuspaudit.robot.library import open_robot
+from cuspaudit.robot.snapping import snap
 
 ROBOTS = Path(cuspaudit.__file__).parents[1] / "robots"
 ARMS = [

@@ -9,7 +9,7 @@ import pytest
 from cuspaudit.algebra.polynomial_text import parse_polynomial
 from cuspaudit.algebra.ring import Ring
 from cuspaudit.algebra.system import PolynomialMap, PolynomialSystem
-from cuspaudit.audit.system_file import SystemFile, read_system
+from cuspaudit.auditing.systems.file import SystemFile, read_system
 from cuspaudit.cuspidality.decision import decide
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import (

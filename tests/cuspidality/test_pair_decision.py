@@ -14,7 +14,7 @@ from cuspaudit.algebra.system import PolynomialMap, PolynomialSystem
 from cuspaudit.cuspidality import Verdict, decide_pairs
 from cuspaudit.cuspidality.pair_decision import PairDecision
 from cuspaudit.cuspidality.surface_decision import SurfaceDecision
-from cuspaudit.cuspidality.witness import propose_paths
+from cuspaudit.cuspidality.surface_path import propose_paths
 from cuspaudit.errors import DegenerateMapError, UnableError
 
 Map = tuple[PolynomialSystem, PolynomialMap]

@@ -24,9 +24,9 @@ def main() -> None:
 
     with atheris.instrument_imports(include=["cuspaudit"]):
         from cuspaudit.errors import CuspauditError
-        from cuspaudit.kinematics.dh_writing import table_text
-        from cuspaudit.kinematics.reading import read_robot
-        from cuspaudit.kinematics.snapping import snap
+        from cuspaudit.robot.formats.dh.write import table_text
+        from cuspaudit.robot.formats.read_robot import read_robot
+        from cuspaudit.robot.snapping import snap
 
     path = Path(tempfile.mkdtemp()) / f"arm{ENDINGS[sys.argv.pop(1)]}"
 

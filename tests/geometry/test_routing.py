@@ -16,7 +16,7 @@ from cuspaudit.algebra.zero_dimensional import solve_zero_dimensional
 from cuspaudit.cuspidality.surface_decision import decide_surface
 from cuspaudit.errors import NotOnVarietyError, UnableError
 from cuspaudit.geometry.crit import crit
-from cuspaudit.geometry.landscape import Landscape
+from cuspaudit.geometry.heights.charted_height import Landscape
 from cuspaudit.geometry.routing import Routing, morse_graph, routing
 from cuspaudit.surface.graph_isotop import graph_isotop
 from cuspaudit.surface.surface import Surface, product_factors

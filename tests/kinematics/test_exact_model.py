@@ -11,7 +11,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 from short_tables import arm, degrees, shift
 
-from cuspaudit.kinematics.chain import (
+from cuspaudit.kinematics.exact_model import ExactModel, exact_model
+from cuspaudit.kinematics.transform import Transform
+from cuspaudit.robot.chain import (
     X_AXIS,
     Y_AXIS,
     Z_AXIS,
@@ -23,9 +25,7 @@ from cuspaudit.kinematics.chain import (
     Translation,
     Vector,
 )
-from cuspaudit.kinematics.exact_model import ExactModel, exact_model
-from cuspaudit.kinematics.frames import angle_value, frames
-from cuspaudit.kinematics.transform import Transform
+from cuspaudit.robot.frames import angle_value, frames
 
 TOLERANCE = Fraction(1, 10**12)
 rationals = st.fractions(-3, 3, max_denominator=20)

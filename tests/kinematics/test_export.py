@@ -10,11 +10,11 @@ from flint import fmpq
 import cuspaudit
 from cuspaudit.algebra.msolve import msolve_text, parse_real_solutions, run_msolve
 from cuspaudit.errors import UnableError
-from cuspaudit.kinematics.chain import Angle, Rotation
 from cuspaudit.kinematics.exact_model import ExactModel, exact_model
 from cuspaudit.kinematics.export import inverse_kinematics, msolve_system, poly_text
 from cuspaudit.kinematics.polynomial_map import polynomial_map
-from cuspaudit.kinematics.reading import read_robot
+from cuspaudit.robot.chain import Angle, Rotation
+from cuspaudit.robot.formats.read_robot import read_robot
 
 ROBOTS = Path(cuspaudit.__file__).parents[1] / "robots"
 

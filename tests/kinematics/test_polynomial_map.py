@@ -12,13 +12,13 @@ from cuspaudit.algebra.ring import Polynomial
 from cuspaudit.errors import UnableError
 from cuspaudit.geometry.crit import crit
 from cuspaudit.kinematics.exact_model import ExactModel, exact_model
-from cuspaudit.kinematics.frames import angle_value, frames, jacobian
 from cuspaudit.kinematics.polynomial_map import (
     jacobian_determinant,
     polynomial_map,
     reduce_circles,
     reduced_map,
 )
+from cuspaudit.robot.frames import angle_value, frames, jacobian
 from cuspaudit.surface.surface import Surface, product_factors
 
 Row = tuple[Number, ...]

@@ -6,7 +6,8 @@ from short_tables import Number
 from surfaces import Build, arm_map, cylinder, decided, plane, torus
 
 from cuspaudit.algebra.system import PolynomialMap, PolynomialSystem
-from cuspaudit.surface.cusps import Count, cusps
+from cuspaudit.count import Count
+from cuspaudit.surface.cusps import cusps
 from cuspaudit.surface.surface import ROTATIONS
 
 Pair = tuple[PolynomialSystem, PolynomialMap]

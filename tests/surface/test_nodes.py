@@ -6,7 +6,7 @@ from surfaces import Array, arm_map, cylinder, decided, delta_of, plane
 
 from cuspaudit.algebra.numeric import numeric_values
 from cuspaudit.algebra.system import PolynomialMap, PolynomialSystem
-from cuspaudit.surface.cusps import Count
+from cuspaudit.count import Count
 from cuspaudit.surface.nodes import nodes
 
 Pair = tuple[PolynomialSystem, PolynomialMap]

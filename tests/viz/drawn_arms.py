@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from cuspaudit.kinematics.chain import (
+from cuspaudit.robot.chain import (
     X_AXIS,
     Z_AXIS,
     Angle,
@@ -17,7 +17,7 @@ from cuspaudit.kinematics.chain import (
     Rotation,
     Translation,
 )
-from cuspaudit.kinematics.frames import frames
+from cuspaudit.robot.frames import frames
 
 QUARTER = Angle(half_turns=Fraction(1, 2))
 CRX_AXES = ((0, 0, 1), (0, 1, 0), (0, -1, 0), (-1, 0, 0), (0, -1, 0), (-1, 0, 0))

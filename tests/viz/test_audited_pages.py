@@ -12,8 +12,8 @@ from axe_playwright_python.sync_playwright import Axe
 from drawn_arms import crx_urdf
 from visits import PHONE, Visit, wait_until
 
-from cuspaudit.audit.library import open_robot
 from cuspaudit.cli.running import certificate_text, page_text, run_audit
+from cuspaudit.robot.library import open_robot
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
 ARMS = ("issac", "crx", "ur5")

@@ -10,7 +10,7 @@ import pytest
 from drawn_arms import audit_of, crx_chain, issac_chain, issac_path, slider_chain
 
 from cuspaudit.viz import build_scene, render_page, sample_path, sample_postures
-from cuspaudit.viz.strip import build_strip
+from cuspaudit.viz.scene.strip import build_strip
 
 EVIL = "<script>alert(1)</script>"
 

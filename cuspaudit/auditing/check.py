@@ -1,0 +1,151 @@
+"""A family of robot files, each held to the verdict recorded in it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from concurrent.futures import ProcessPoolExecutor
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any, Literal
+from xml.etree import ElementTree
+
+from cuspaudit.auditing.audit import audit
+from cuspaudit.errors import CuspauditError, InvalidInputError
+from cuspaudit.robot.library import open_robot
+
+__all__ = ["Checked", "check_robot", "check_robots", "junit", "robot_files"]
+
+Status = Literal["ok", "undecided", "mismatch", "error", "no expectation"]
+_ENDINGS = (".yaml", ".yml", ".csv")
+
+
+@dataclass(frozen=True)
+class Checked:
+    """One robot file, compared with its expectation.
+
+    Attributes:
+        file: the file.
+        status: "undecided" when a verdict is recorded and none was reached: not a
+            contradiction, but not a confirmation.
+        detail: what was found, and what was expected where it differs.
+        seconds: time of the audit.
+        found: the verdict and the counts that are known.
+    """
+
+    file: str
+    status: Status
+    detail: str
+    seconds: float
+    found: Mapping[str, str | int] = field(default_factory=dict)
+
+    @property
+    def is_failure(self) -> bool:
+        """Whether the file contradicts its record or cannot be audited."""
+        return self.status in ("mismatch", "error")
+
+
+def robot_files(paths: Iterable[Path]) -> list[Path]:
+    """The robot files among ``paths``, folders searched without descending, sorted.
+
+    Raises:
+        InvalidInputError: a path does not exist, or a folder holds no robot file.
+    """
+    files: list[Path] = []
+    for path in paths:
+        if path.is_dir():
+            found = sorted(p for p in path.iterdir() if p.suffix in _ENDINGS)
+            if not found:
+                raise InvalidInputError(
+                    file=str(path),
+                    found="no robot file",
+                    expected=f"name files or a folder with {', '.join(_ENDINGS)}",
+                )
+            files += found
+        elif path.is_file():
+            files.append(path)
+        else:
+            raise InvalidInputError(
+                file=str(path), found="no such file", expected="name a file or folder"
+            )
+    return files
+
+
+def check_robots(files: list[Path], workers: int = 1) -> Iterator[Checked]:
+    """Check every file, in order; with several workers, in parallel."""
+    if workers <= 1 or len(files) <= 1:
+        yield from map(check_robot, files)
+        return
+    with ProcessPoolExecutor(min(workers, len(files))) as pool:
+        yield from pool.map(check_robot, files)
+
+
+def check_robot(file: Path) -> Checked:
+    """Audit one file and compare what it expects."""
+    try:
+        robot = open_robot(file)
+        result = audit(robot)
+    except CuspauditError as error:
+        return Checked(str(file), "error", str(error), 0.0)
+    record = result.record()
+    found = _found(record)
+    status, detail = _compare(robot.expect, found)
+    known = {key: value for key, value in found.items() if value is not None}
+    return Checked(str(file), status, detail, record["seconds"]["total"], known)
+
+
+def _found(record: Mapping[str, Any]) -> dict[str, Any]:
+    postures = record["postures"]
+    return {
+        "verdict": record["verdict"],
+        "aspects": record["aspects"]["count"],
+        "max_postures": postures["max"] if postures["proved"] else None,
+        "cusps": record["singular"]["cusps"],
+        "nodes": record["singular"]["nodes"],
+    }
+
+
+def _compare(
+    expect: Mapping[str, str | int | None] | None, found: Mapping[str, Any]
+) -> tuple[Status, str]:
+    wanted = {k: v for k, v in (expect or {}).items() if v is not None}
+    text = ", ".join(f"{k} {v}" for k, v in found.items() if v is not None)
+    if not wanted:
+        return "no expectation", text
+    if found["verdict"] == "undecided" != wanted.get("verdict", "undecided"):
+        return "undecided", f"{text}; {wanted['verdict']} is recorded"
+    wrong = [
+        f"{key} {found[key]} where {value} is recorded"
+        for key, value in wanted.items()
+        if found[key] is not None and found[key] != value
+    ]
+    if wrong:
+        return "mismatch", "; ".join(wrong)
+    unproved = [f"{k} {v}" for k, v in wanted.items() if found[k] is None]
+    return "ok", "; not proved: ".join(filter(None, (text, ", ".join(unproved))))
+
+
+def junit(results: list[Checked]) -> str:
+    """The results as JUnit XML; an undecided robot counts as skipped."""
+    suite = ElementTree.Element(
+        "testsuite",
+        name="cuspaudit check",
+        tests=str(len(results)),
+        failures=str(sum(r.status == "mismatch" for r in results)),
+        errors=str(sum(r.status == "error" for r in results)),
+        skipped=str(sum(r.status == "undecided" for r in results)),
+        time=f"{sum(r.seconds for r in results):.3f}",
+    )
+    tags = {"mismatch": "failure", "error": "error", "undecided": "skipped"}
+    for result in results:
+        case = ElementTree.SubElement(
+            suite,
+            "testcase",
+            classname="cuspaudit",
+            name=result.file,
+            time=f"{result.seconds:.3f}",
+        )
+        if result.status in tags:
+            tag = tags[result.status]
+            ElementTree.SubElement(case, tag, message=result.detail)
+    ElementTree.indent(suite)
+    return ElementTree.tostring(suite, encoding="unicode", xml_declaration=True) + "\n"

@@ -1,0 +1,1 @@
+"""The second opinion: pinocchio and a second program for det J."""

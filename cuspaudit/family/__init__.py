@@ -1,0 +1,1 @@
+"""Families of robots: parameters, the sweep over them, its rows and its pictures."""

@@ -1,0 +1,131 @@
+"""One member of a family, decided: a row of the table of a sweep."""
+
+from __future__ import annotations
+
+import math
+import time
+from contextlib import suppress
+from typing import Any
+
+from cuspaudit.auditing.answer import Answer, answer
+from cuspaudit.auditing.deciders.by_search import (
+    crowd_of,
+    needs_search,
+    searched,
+    with_crowd,
+)
+from cuspaudit.auditing.witness import Witness, find_witness
+from cuspaudit.count import Count
+from cuspaudit.cuspidality.verdict import Verdict
+from cuspaudit.errors import CuspauditError, InvalidRobotError, UnableError
+from cuspaudit.family.expressions import Value
+from cuspaudit.family.family import Family, exact_text
+from cuspaudit.family.time_limit import TimeUp, time_limit
+from cuspaudit.kinematics.exact_model import exact_model
+from cuspaudit.robot.chain import Angle, Chain
+from cuspaudit.robot.virtual_joint import with_virtual_joint
+
+__all__ = ["Row", "decide_member", "failed_member"]
+
+Row = dict[str, Any]
+
+
+def decide_member(family: Family, index: int, timeout: float | None = None) -> Row:
+    """The row of a member; whatever goes wrong with it stands in the row's ``error``.
+
+    The numbers are those of the family, not snapped: what a family says is meant.
+
+    Args:
+        family: the family.
+        index: of the member.
+        timeout: seconds it may take, or None; see `time_limit` for where it works.
+    """
+    row = _parameters(family, index)
+    begun = time.perf_counter()
+    try:
+        with time_limit(timeout):
+            row |= _decided(family, index)
+    except CuspauditError as error:
+        row["error"] = _one_line(error)
+    except TimeUp:
+        row["error"] = f"the time limit of {timeout:g} s a member has passed"
+    except Exception as error:  # one bad member is a row, not the end of a sweep
+        row["error"] = f"internal error: {type(error).__name__}: {_one_line(error)}"
+    row["seconds"] = round(time.perf_counter() - begun, 4)
+    return row
+
+
+def failed_member(family: Family, index: int, why: str) -> Row:
+    """The row of a member that could not be tried."""
+    return _parameters(family, index) | {"error": why, "seconds": 0.0}
+
+
+def _decided(family: Family, index: int) -> Row:
+    chain = with_virtual_joint(family.robot(index).chain)
+    found, witness = answer(exact_model(chain)), None
+    if needs_search(found):
+        crowd = crowd_of(found, family.seed)
+        found, witness = searched(found, chain, family.seed)
+        found = with_crowd(found, crowd)
+    counts = {
+        "cusps": found.cusps,
+        "nodes": found.nodes,
+        "aspects": found.aspects,
+        "max_postures": found.postures,
+    }
+    row: Row = {
+        "verdict": found.verdict.value,
+        "proof": _proof(found),
+        "exact": found.model.is_exact,
+        "why": found.why if found.undecided else None,
+    }
+    row |= {name: _proved(counts[name]) for name in family.record if name in counts}
+    if "clearance" in family.record:
+        row["clearance"] = _clearance(found, witness, chain)
+    return row
+
+
+def _proof(found: Answer) -> str:
+    if found.verdict is Verdict.UNDECIDED:
+        return "none"
+    if found.search is not None:
+        return "witness"
+    return "exact" if found.reduction is None else "reduction"
+
+
+def _proved(count: Count | None) -> int | None:
+    return count.count if count is not None and count.proved else None
+
+
+def _clearance(found: Answer, witness: Witness | None, chain: Chain) -> float | None:
+    """The clearance of a certified witness; None where there is none."""
+    if witness is not None:
+        return witness.clearance
+    if found.verdict is not Verdict.CUSPIDAL or found.decision is None:
+        return None
+    try:
+        return find_witness(found, chain).clearance
+    except UnableError:
+        return None
+
+
+def _parameters(family: Family, index: int) -> Row:
+    """The numbers of a member; without derived ones where one has no value."""
+    values = family.values(index) or {}
+    with suppress(InvalidRobotError):
+        values = family.known(values)
+    row: Row = {"index": index}
+    for name, value in values.items():
+        row[name] = _float(value)
+        row[f"{name}_exact"] = exact_text(value)
+    return row
+
+
+def _float(value: Value) -> float:
+    if isinstance(value, Angle):
+        return float(value.half_turns) * math.pi + float(value.radians)
+    return float(value)
+
+
+def _one_line(error: BaseException) -> str:
+    return " ".join(str(error).split())[:400]

@@ -1,0 +1,1 @@
+"""Curves: their parametrization, their sections and their branches."""

@@ -1,0 +1,1 @@
+"""The generic fiber of a map, proposed and then proved."""

@@ -1,0 +1,1 @@
+"""A path below lifted to a variety, in boxes that prove it."""

@@ -1,0 +1,1 @@
+"""Sheets over the cells, joined where they meet over a wall."""

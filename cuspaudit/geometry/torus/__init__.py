@@ -1,0 +1,1 @@
+"""Trigonometric functions on a torus: components, covers, critical points, ways."""

@@ -1,0 +1,1 @@
+"""The postures of a six-joint arm at a pose, in floats and exactly."""

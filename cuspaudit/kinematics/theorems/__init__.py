@@ -1,0 +1,1 @@
+"""Theorems that decide an arm from the shape of its axes."""

@@ -1,0 +1,1 @@
+"""The formats a robot is read from, one package each."""

@@ -1,0 +1,1 @@
+"""D-H tables: read, written, and fitted to a chain."""

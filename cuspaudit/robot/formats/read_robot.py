@@ -1,0 +1,51 @@
+"""One door for every robot file."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from cuspaudit.robot.formats.dh.read import read_dh
+from cuspaudit.robot.formats.urdf.read import read_urdf
+from cuspaudit.robot.place import Place, quoted
+from cuspaudit.robot.robot import Robot
+
+__all__ = ["TABLES", "read_robot"]
+
+TABLES = (".yaml", ".yml", ".json", ".csv")
+
+
+def read_robot(
+    path: Path | str,
+    *,
+    base: str | None = None,
+    tip: str | None = None,
+    task: str | None = None,
+    convention: str | None = None,
+    angle_unit: str | None = None,
+) -> Robot:
+    """The robot in a URDF or D-H file, by the ending of its name.
+
+    Args:
+        path: a .urdf, .yaml, .yml, .json or .csv file.
+        base: a link of the URDF; by default its root.
+        tip: a link of the URDF; by default its only end.
+        task: a name in `robot.task.DIMENSIONS`; by default the one for so many
+            joints.
+        convention: "standard" or "modified", for a table that does not say.
+        angle_unit: "rad" or "deg", for a table that does not say.
+
+    Raises:
+        InvalidRobotError: the file cannot be read as it stands, or an option does
+            not belong to this kind of file.
+    """
+    path = Path(path)
+    place = Place(str(path))
+    if path.suffix.lower() in TABLES:
+        if base is not None or tip is not None:
+            expected = "leave out --base and --tip: a table is one chain"
+            raise place.error("a table has no links to choose from", expected)
+        return read_dh(path, task=task, convention=convention, angle_unit=angle_unit)
+    if path.suffix.lower() in (".urdf", ".xml", ".xacro"):
+        return read_urdf(path, base=base, tip=tip, task=task)
+    found = f"files ending in {quoted(path.suffix)} are unknown"
+    raise place.error(found, f"give a .urdf, {', '.join(TABLES)} file")

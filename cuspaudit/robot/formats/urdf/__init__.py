@@ -1,0 +1,1 @@
+"""URDF files: joints, numbers, the tree, and the meshes."""

@@ -1,0 +1,137 @@
+"""Robots by name: those of ``robots/``, those of example-robot-data, and files.
+
+Names of robot_descriptions are known as well where that package is installed.
+example-robot-data is found by its folder beside pinocchio and is not imported.
+"""
+
+from __future__ import annotations
+
+import difflib
+import importlib.util
+import sys
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+from fractions import Fraction
+from pathlib import Path
+
+import cuspaudit
+from cuspaudit.errors import InvalidRobotError
+from cuspaudit.robot.chain import Angle
+from cuspaudit.robot.descriptions import description_file, description_names
+from cuspaudit.robot.formats.read_robot import TABLES, read_robot
+from cuspaudit.robot.place import listing, quoted
+from cuspaudit.robot.robot import Robot
+from cuspaudit.robot.task import check_task, default_task
+from cuspaudit.robot.task import lock as lock_joints
+
+__all__ = ["example_robot_data", "library", "open_robot"]
+
+_ENDINGS = (".urdf", ".xacro", ".xml", *TABLES)
+
+
+def open_robot(
+    name_or_path: str | Path,
+    *,
+    base: str | None = None,
+    tip: str | None = None,
+    task: str | None = None,
+    lock: Mapping[str, str | Angle | Fraction] | None = None,
+    convention: str | None = None,
+    angle_unit: str | None = None,
+    square: bool = True,
+) -> Robot:
+    """The robot in a file, or of a name in the library.
+
+    Args:
+        name_or_path: a file, or a name that `library` lists.
+        base: base link of a URDF.
+        tip: tip link of a URDF.
+        task: a name in `robot.task.DIMENSIONS`.
+        lock: joint name to the value at which it is fixed; without ``task``, the
+            task is then that of the joints left.
+        convention: D-H convention of a table that does not say.
+        angle_unit: unit of bare angles of a table that does not say.
+        square: check that the task has as many dimensions as there are joints.
+
+    Raises:
+        InvalidRobotError: no such robot, or it cannot be read, or (``square``) its
+            joints do not fit its task.
+    """
+    robot = read_robot(
+        _find(name_or_path),
+        base=base,
+        tip=tip,
+        task=task,
+        convention=convention,
+        angle_unit=angle_unit,
+    )
+    if lock:
+        chain = lock_joints(robot.chain, lock)
+        if task is None:
+            chain = replace(chain, task=default_task(len(chain.joints)))
+        notes = tuple(f"{name} is locked at {value}" for name, value in lock.items())
+        expect = None
+        robot = replace(robot, chain=chain, notes=robot.notes + notes, expect=expect)
+    if square:
+        check_task(robot.chain, robot.file)
+    return robot
+
+
+def library() -> list[tuple[str, Path]]:
+    """The names that `open_robot` knows, with their files; ours first, then by name."""
+    found: dict[str, Path] = {}
+    for path in [*_own_robots(), *_example_urdfs()]:
+        found.setdefault(path.stem, path)
+    return list(found.items())
+
+
+def example_robot_data() -> Path | None:
+    """The share folder of example-robot-data (its ``robots`` inside), if installed."""
+    places = [Path(sys.prefix)]
+    for module in ("pinocchio", "cmeel"):
+        spec = importlib.util.find_spec(module)
+        if spec is not None and spec.origin is not None:
+            places.extend(Path(spec.origin).parents)
+    for place in places:
+        for prefix in (place, place / "cmeel.prefix"):
+            share = prefix / "share" / "example-robot-data"
+            if (share / "robots").is_dir():
+                return share
+    return None
+
+
+def _find(name_or_path: str | Path) -> Path:
+    """The file that is meant: one there is, or that of a robot's name."""
+    path = Path(name_or_path)
+    text = str(name_or_path)
+    if path.exists() or path.suffix.lower() in _ENDINGS or path.name != text:
+        return path
+    known = dict(library())
+    if text in known:
+        return known[text]
+    described = description_file(text)
+    if described is not None:
+        return described
+    names = [*known, *description_names()]
+    near = difflib.get_close_matches(text, names, n=5, cutoff=0.5)
+    raise InvalidRobotError(
+        file=quoted(text),
+        found="no file and no robot of this name",
+        expected=f"did you mean {listing(near)}?" if near else "give a file",
+    )
+
+
+def _own_robots() -> Iterator[Path]:
+    package = Path(cuspaudit.__file__).parent
+    for folder in (package / "robots", package.parent / "robots"):
+        if folder.is_dir():
+            yield from sorted(folder.glob("*.yaml"))
+            return
+
+
+def _example_urdfs() -> Iterator[Path]:
+    share = example_robot_data()
+    if share is not None:
+        yield from sorted(
+            (share / "robots").rglob("*.urdf"), key=lambda path: (path.stem, path)
+        )

@@ -1,0 +1,78 @@
+"""A robot as its file gives it: the literal chain, and what the file says about it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+from cuspaudit.robot.chain import Chain
+from cuspaudit.robot.place import Place, quoted
+
+__all__ = ["COUNTS", "VERDICTS", "Robot", "parse_expectation"]
+
+VERDICTS = ("cuspidal", "noncuspidal", "undecided")
+COUNTS = ("aspects", "max_postures", "cusps", "nodes")
+
+
+@dataclass(frozen=True, slots=True)
+class Robot:
+    """A robot read from a file.
+
+    Attributes:
+        name: the robot's name.
+        file: the file as the user gave it.
+        chain: the literal chain: every number exactly as the file has it.
+        title: one line about the robot.
+        source: where its numbers and its recorded verdict come from.
+        expect: what is known of it, see `parse_expectation`; None when nothing is.
+        urdf: the URDF file, when it came from one (its meshes can be drawn).
+        notes: what the reader assumed, one sentence each.
+    """
+
+    name: str
+    file: str
+    chain: Chain
+    title: str = ""
+    source: str = ""
+    expect: Mapping[str, str | int | None] | None = None
+    urdf: Path | None = None
+    notes: tuple[str, ...] = ()
+
+
+def parse_expectation(
+    entries: Mapping[str, object], place: Place
+) -> dict[str, str | int | None]:
+    """The recorded verdict and counts of a robot file.
+
+    Args:
+        entries: any of "verdict", "aspects", "max_postures", "cusps", "nodes", each
+            as text ("null" and "" stand for None) or None.
+        place: where they stand.
+
+    Raises:
+        InvalidRobotError: another key, another verdict, or a count that is none.
+    """
+    result: dict[str, str | int | None] = {}
+    for key, value in entries.items():
+        here = place.at(key if key.isidentifier() else quoted(key))
+        if key not in ("verdict", *COUNTS):
+            expected = f"write one of verdict, {', '.join(COUNTS)}"
+            raise here.error("an unknown key", expected)
+        if value is None or value in ("null", "~", ""):
+            result[key] = None
+        elif key == "verdict":
+            if value not in VERDICTS:
+                expected = f"write one of {', '.join(VERDICTS)}"
+                raise here.error(quoted(str(value)), expected)
+            result[key] = str(value)
+        else:
+            result[key] = _count(value, here)
+    return result
+
+
+def _count(value: object, place: Place) -> int:
+    text = str(value)
+    if not (text.isascii() and text.isdigit() and len(text) < 7):
+        raise place.error(f"{quoted(text)} is not a count", "write 0, 1, 2, ...")
+    return int(text)

@@ -1,0 +1,1 @@
+"""What a run needs beside mathematics: its process, its files, its versions."""

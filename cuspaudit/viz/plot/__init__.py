@@ -1,0 +1,1 @@
+"""Figures: curves and planes of arms, the phases of a family."""

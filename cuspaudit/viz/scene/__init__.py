@@ -1,0 +1,1 @@
+"""The animated scene: the arm, its motion, the camera."""
