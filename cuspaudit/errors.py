@@ -28,6 +28,8 @@ UNDECIDED; nobody catches ``CrossCheckError`` except to print it.
 
 from __future__ import annotations
 
+import traceback
+from pathlib import Path
 from typing import Any
 
 __all__ = [
@@ -50,7 +52,11 @@ __all__ = [
     "RetryableError",
     "UnableError",
     "UnsupportedJointError",
+    "unforeseen",
 ]
+
+#: characters of a foreign message that are kept
+_LONGEST = 400
 
 
 class CuspauditError(Exception):
@@ -262,3 +268,29 @@ class UnableError(CuspauditError):
 
 class CrossCheckError(CuspauditError):
     """Two routes to one number disagree: one of them has a bug."""
+
+
+def unforeseen(error: BaseException) -> str:
+    """One line about an error that is none of ours: what, where, and what to report.
+
+    Such an error is a fault of this package whatever the input was: it says nothing
+    of the input, and it ends without a verdict.
+
+    >>> try:
+    ...     [][0]
+    ... except IndexError as error:
+    ...     print(unforeseen(error).partition(" (")[0])
+    an error nobody foresaw: IndexError: list index out of range
+    """
+    root = Path(__file__).parent
+    frames = [
+        f"{Path(frame.filename).relative_to(root).as_posix()}:{frame.lineno}"
+        for frame in traceback.extract_tb(error.__traceback__)
+        if Path(frame.filename).is_relative_to(root)
+    ]
+    what = " ".join(f"{type(error).__name__}: {error}".split())
+    place = f" ({frames[-1]})" if frames else ""
+    return (
+        f"an error nobody foresaw: {what[:_LONGEST]}{place}; no verdict was reached: "
+        "please report this line with the input"
+    )

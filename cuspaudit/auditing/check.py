@@ -2,20 +2,23 @@
 
 from __future__ import annotations
 
+import signal
 from collections.abc import Iterable, Iterator, Mapping
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass, field
+from multiprocessing import active_children
 from pathlib import Path
 from typing import Any, Literal
 from xml.etree import ElementTree
 
 from cuspaudit.auditing.audit import audit
-from cuspaudit.errors import CuspauditError, InvalidInputError
+from cuspaudit.errors import CuspauditError, InvalidInputError, unforeseen
 from cuspaudit.robot.library import open_robot
+from cuspaudit.runtime.interruption import end_processes
 
 __all__ = ["Checked", "check_robot", "check_robots", "junit", "robot_files"]
 
-Status = Literal["ok", "undecided", "mismatch", "error", "no expectation"]
+Status = Literal["ok", "undecided", "mismatch", "error", "fault", "no expectation"]
 _ENDINGS = (".yaml", ".yml", ".csv")
 
 
@@ -26,7 +29,8 @@ class Checked:
     Attributes:
         file: the file.
         status: "undecided" when a verdict is recorded and none was reached: not a
-            contradiction, but not a confirmation.
+            contradiction, but not a confirmation; "fault" when an error that nobody
+            foresaw ended the audit, which says nothing of the robot.
         detail: what was found, and what was expected where it differs.
         seconds: time of the audit.
         found: the verdict and the counts that are known.
@@ -41,7 +45,7 @@ class Checked:
     @property
     def is_failure(self) -> bool:
         """Whether the file contradicts its record or cannot be audited."""
-        return self.status in ("mismatch", "error")
+        return self.status in ("mismatch", "error", "fault")
 
 
 def robot_files(paths: Iterable[Path]) -> list[Path]:
@@ -75,8 +79,19 @@ def check_robots(files: list[Path], workers: int = 1) -> Iterator[Checked]:
     if workers <= 1 or len(files) <= 1:
         yield from map(check_robot, files)
         return
-    with ProcessPoolExecutor(min(workers, len(files))) as pool:
-        yield from pool.map(check_robot, files)
+    others = active_children()
+    with ProcessPoolExecutor(min(workers, len(files)), initializer=_quiet) as pool:
+        try:
+            for future in [pool.submit(check_robot, file) for file in files]:
+                yield future.result()
+        except BaseException:
+            end_processes(others)
+            raise
+
+
+def _quiet() -> None:
+    """Leave an interruption to the process that began this one."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
 
 
 def check_robot(file: Path) -> Checked:
@@ -86,6 +101,8 @@ def check_robot(file: Path) -> Checked:
         result = audit(robot)
     except CuspauditError as error:
         return Checked(str(file), "error", str(error), 0.0)
+    except Exception as error:  # the other files are checked all the same
+        return Checked(str(file), "fault", unforeseen(error), 0.0)
     record = result.record()
     found = _found(record)
     status, detail = _compare(robot.expect, found)
@@ -131,11 +148,16 @@ def junit(results: list[Checked]) -> str:
         name="cuspaudit check",
         tests=str(len(results)),
         failures=str(sum(r.status == "mismatch" for r in results)),
-        errors=str(sum(r.status == "error" for r in results)),
+        errors=str(sum(r.status in ("error", "fault") for r in results)),
         skipped=str(sum(r.status == "undecided" for r in results)),
         time=f"{sum(r.seconds for r in results):.3f}",
     )
-    tags = {"mismatch": "failure", "error": "error", "undecided": "skipped"}
+    tags = {
+        "mismatch": "failure",
+        "error": "error",
+        "fault": "error",
+        "undecided": "skipped",
+    }
     for result in results:
         case = ElementTree.SubElement(
             suite,

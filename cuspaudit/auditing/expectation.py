@@ -19,7 +19,10 @@ __all__ = ["annotation", "write_expectation"]
 
 _EMPTY = re.compile(r"^expect:[ \t]*(?:null|~)?[ \t]*(?=#|\r?$)", re.MULTILINE)
 _ANY = re.compile(r"^expect[ \t]*:", re.MULTILINE)
-_LEVELS = {"mismatch": "error", "error": "error", "undecided": "warning"}
+_LEVELS = {
+    **dict.fromkeys(("mismatch", "error", "fault"), "error"),
+    "undecided": "warning",
+}
 
 
 def write_expectation(file: Path, found: Mapping[str, str | int]) -> bool:

@@ -8,6 +8,7 @@ from typing import Annotated
 
 import typer
 
+from cuspaudit.cli.exit_codes import OF_VERDICT
 from cuspaudit.cli.opening import open_named
 from cuspaudit.cli.options import (
     AngleUnit,
@@ -27,8 +28,6 @@ from cuspaudit.cli.running import certificate_text, page_text, run_audit
 from cuspaudit.cli.summary import print_summary
 
 __all__ = ["audit"]
-
-EXIT = {"noncuspidal": 0, "cuspidal": 1, "undecided": 3}
 
 
 def audit(
@@ -88,4 +87,4 @@ def audit(
         if certificate and not proof:
             kept["record of the run"] = str(certificate)
         print_summary(record, kept)
-    raise typer.Exit(0 if exit_zero else EXIT[record["verdict"]])
+    raise typer.Exit(0 if exit_zero else OF_VERDICT[record["verdict"]])

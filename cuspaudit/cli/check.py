@@ -8,6 +8,8 @@ from typing import Annotated
 
 import typer
 
+from cuspaudit.cli.exit_codes import UNFORESEEN
+
 __all__ = ["check"]
 
 
@@ -59,9 +61,13 @@ def check(
                 and write_expectation(Path(result.file), result.found)
             ):
                 typer.echo(f"expectation written: {result.file}")
-    bad = [r for r in results if r.is_failure or (strict and r.status == "undecided")]
+    bad = {
+        r.status
+        for r in results
+        if r.is_failure or (strict and r.status == "undecided")
+    }
     counts = Counter(result.status for result in results)
     typer.echo(", ".join(f"{n} {status}" for status, n in sorted(counts.items())))
     if junit_file:
         write_text(junit_file, junit(results))
-    raise typer.Exit(1 if bad else 0)
+    raise typer.Exit(UNFORESEEN if bad == {"fault"} else 1 if bad else 0)

@@ -11,7 +11,7 @@ from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
-from cuspaudit.cli.audit import EXIT
+from cuspaudit.cli.exit_codes import OF_VERDICT
 from cuspaudit.cli.options import Engine, EngineName, Seed
 from cuspaudit.cli.running import progress_bar
 from cuspaudit.cli.summary import COLOUR
@@ -83,7 +83,7 @@ def decide(
         if json_file:
             write_text(Path(json_file), text)
         _print(record, json_file)
-    raise typer.Exit(0 if exit_zero else EXIT[record["verdict"]])
+    raise typer.Exit(0 if exit_zero else OF_VERDICT[record["verdict"]])
 
 
 def _print(record: dict[str, Any], json_file: str | None) -> None:

@@ -58,12 +58,8 @@ def sweep(
     """Decide every member of a family, exactly; run again to go on after a stop."""
     from cuspaudit.family.sweep import sweep as run
 
-    try:
-        with _progress() as report:
-            done = run(family, folder, workers, report, scheduler, timeout)
-    except KeyboardInterrupt:
-        typer.echo("cuspaudit: interrupted; the rows so far are kept", err=True)
-        raise typer.Exit(130) from None
+    with _progress() as report:
+        done = run(family, folder, workers, report, scheduler, timeout)
     typer.echo(
         f"{done.kept + done.added} members in {folder}/results.parquet: "
         f"{done.added} new, {done.errors} with an error"

@@ -1,92 +1,101 @@
-"""The command line: arguments in, exit code out; no mathematics.
+"""The way into the command line, and the only way out of it: one line, one exit code.
 
-One command a file, registered here. Heavy rooms are imported inside the commands, so
-that ``--help`` and ``verify`` do not wait for a robotics library.
+Nothing heavy is imported here, so that an interruption while the commands load ends as
+quietly as one later.
 """
 
 from __future__ import annotations
 
 import os
+import signal
 import sys
-from typing import Annotated
+from types import FrameType
+from typing import NoReturn
 
-import typer
-
-import cuspaudit
-from cuspaudit.cli.audit import audit
-from cuspaudit.cli.check import check
-from cuspaudit.cli.decide import decide
-from cuspaudit.cli.families import sweep
-from cuspaudit.cli.import_ import import_
-from cuspaudit.cli.plot import plot
-from cuspaudit.cli.show import show
-from cuspaudit.cli.verify import verify
-from cuspaudit.errors import CuspauditError
+from cuspaudit.cli.exit_codes import BAD_INPUT, INTERRUPTED, UNFORESEEN
 
 __all__ = ["main"]
 
-BAD_INPUT = 2
-INTERRUPTED = 130
 
-app = typer.Typer(
-    no_args_is_help=True,
-    add_completion=False,
-    pretty_exceptions_enable=False,
-    rich_markup_mode="rich",
-    context_settings={"help_option_names": ["-h", "--help"]},
-    help="Decide, with a proof, whether a robot arm is cuspidal: whether it can change "
-    "posture without ever meeting a singularity.\n\nExit codes: 0 noncuspidal (verify, "
-    "check: all good), 1 cuspidal (verify: rejected; check: a mismatch), 2 bad input, "
-    "3 undecided.",
-)
+def main() -> NoReturn:
+    """Run the command line and end the process; nobody sees a traceback unasked.
 
-
-def _print_version(asked: bool) -> None:
-    if asked:
-        typer.echo(f"cuspaudit {cuspaudit.__version__}")
-        raise typer.Exit
-
-
-@app.callback()
-def _options(
-    version: Annotated[
-        bool,
-        typer.Option(
-            "--version",
-            help="Show the version and end.",
-            is_eager=True,
-            callback=_print_version,
-        ),
-    ] = False,
-) -> None:
-    del version
-
-
-_COMMANDS = (
-    ("audit", audit, "my_robot.urdf --tip tool0 --html audit.html"),
-    ("verify", verify, "chablat-2022-3r.certificate.json"),
-    ("decide", decide, "whitney-cusp.yaml --engine routing"),
-    ("show", show, "chablat-2022-3r --html witness.html"),
-    ("plot", plot, "chablat-2022-3r -o figure.png"),
-    ("import", import_, "ur5_robot --to msolve > ik.ms"),
-    ("check", check, "robots/ -j 2 --junit report.xml"),
-    ("sweep", sweep, "family.yaml -o table -j 2"),
-)
-for _name, _command, _example in _COMMANDS:
-    app.command(_name, epilog=f"Example: cuspaudit {_name} {_example}")(_command)
-
-
-def main() -> None:
-    """Run the command line; no traceback reaches the user."""
+    ``--debug`` may stand anywhere; it adds the traceback of an error that nobody
+    foresaw. Such an error exits 4, never 1, which means cuspidal.
+    """
+    arguments = [word for word in sys.argv[1:] if word != "--debug"]
+    interrupted = _interruption()
     try:
-        app()
-    except CuspauditError as error:
-        line = " ".join(str(error).split())
-        typer.echo(f"cuspaudit: {line}", err=True)
-        sys.exit(BAD_INPUT)
+        code = _run(arguments, debug=len(arguments) < len(sys.argv) - 1)
     except KeyboardInterrupt:
-        typer.echo("cuspaudit: interrupted; nothing was written", err=True)
-        sys.exit(INTERRUPTED)
+        code = INTERRUPTED
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the rest is quick
+    if interrupted or code == INTERRUPTED:
+        _say("interrupted; what was finished is kept, and no file is half written")
+        code = INTERRUPTED
+    sys.exit(code)
+
+
+def _interruption() -> list[int]:
+    """A list that is no longer empty once this process was interrupted.
+
+    Libraries swallow a KeyboardInterrupt now and then, or turn it into another error;
+    the list forgets none. Processes begun by this one end without a word.
+    """
+    met: list[int] = []
+    own = os.getpid()
+
+    def interrupt(number: int, frame: FrameType | None) -> None:
+        if os.getpid() != own:
+            os._exit(INTERRUPTED)
+        met.append(number)
+        raise KeyboardInterrupt
+
+    if signal.getsignal(signal.SIGINT) is not signal.SIG_IGN:
+        signal.signal(signal.SIGINT, interrupt)
+    return met
+
+
+def _run(arguments: list[str], debug: bool) -> int:
+    """The exit code of the command that ``arguments`` name."""
+    from cuspaudit.errors import CuspauditError, unforeseen
+
+    try:
+        from cuspaudit.cli.app import app
+
+        app(arguments)
+    except SystemExit as end:
+        return _code(end)
+    except CuspauditError as error:
+        _say(str(error))
+        return BAD_INPUT
     except BrokenPipeError:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        sys.exit(BAD_INPUT)
+        return BAD_INPUT
+    except Exception as error:  # the last door: whatever it is, it is one line
+        if debug:
+            import traceback
+
+            traceback.print_exc()
+        if isinstance(error, ImportError) and not _is_ours(error):
+            _say(f"a library cannot be loaded: {error}; install cuspaudit again by pip")
+            return BAD_INPUT
+        _say(unforeseen(error) + ("" if debug else "; --debug shows the traceback"))
+        return UNFORESEEN
+    return 0
+
+
+def _code(end: SystemExit) -> int:
+    """The exit code; a text instead of one is an error's."""
+    if end.code is None or isinstance(end.code, int):
+        return end.code or 0
+    _say(end.code)
+    return UNFORESEEN
+
+
+def _is_ours(error: ImportError) -> bool:
+    return error.name is not None and error.name.partition(".")[0] == "cuspaudit"
+
+
+def _say(text: str) -> None:
+    print(f"cuspaudit: {' '.join(text.split())}", file=sys.stderr)

@@ -9,16 +9,24 @@ from __future__ import annotations
 import os
 import signal
 import threading
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
 from concurrent.futures.process import BrokenProcessPool
 from itertools import islice
-from multiprocessing import connection, get_context, parent_process
+from multiprocessing import (
+    active_children,
+    connection,
+    forkserver,
+    get_context,
+    parent_process,
+)
+from multiprocessing.process import BaseProcess
 from types import TracebackType
 
 from cuspaudit.errors import UnableError
 from cuspaudit.family.family import Family
 from cuspaudit.family.row import Row, decide_member, failed_member
+from cuspaudit.runtime.interruption import deaf_children, end_processes, held
 
 __all__ = ["LocalPool"]
 
@@ -37,9 +45,11 @@ class LocalPool:
     ) -> None:
         self._family, self._workers, self._timeout = family, workers, timeout
         self._pool: ProcessPoolExecutor | None = None
+        self._others: Sequence[BaseProcess] = ()
 
     def __enter__(self) -> LocalPool:
         """Nothing is started before there is work."""
+        self._others = active_children()
         return self
 
     def __exit__(
@@ -48,9 +58,11 @@ class LocalPool:
         error: BaseException | None,
         traceback: TracebackType | None,
     ) -> None:
-        """Let the processes go; members not begun are dropped."""
+        """Let the processes go, at once after an error; no other member is begun."""
         if self._pool is not None:
-            self._pool.shutdown(wait=kind is None, cancel_futures=True)
+            if kind is not None:
+                end_processes(self._others)
+            self._pool.shutdown(cancel_futures=True)
 
     def rows(self, indices: Iterable[int]) -> Iterator[Row]:
         """The rows of the members, as they are ready, a few taken ahead."""
@@ -86,7 +98,9 @@ class LocalPool:
             if self._pool is None:
                 self._pool = _pool(self._family, self._workers, self._timeout)
             try:
-                running[self._pool.submit(_decide, index)] = index
+                with held():
+                    future = self._pool.submit(_decide, index)
+                running[future] = index
             except BrokenProcessPool:
                 refused.append(index)
         return refused
@@ -120,6 +134,8 @@ def _finished(future: Future[Row]) -> bool:
 def _pool(family: Family, workers: int, timeout: float | None) -> ProcessPoolExecutor:
     context = get_context("forkserver")
     context.set_forkserver_preload([__name__])
+    with deaf_children():
+        forkserver.ensure_running()
     begin = (family, timeout)
     return ProcessPoolExecutor(workers, context, initializer=_begin, initargs=begin)
 

@@ -11,7 +11,7 @@ import jsonschema
 import pytest
 from typer.testing import CliRunner
 
-from cuspaudit.cli.main import app
+from cuspaudit.cli.app import app
 from cuspaudit.errors import AssumptionError
 
 SYSTEMS = Path(__file__).parents[1] / "systems"
