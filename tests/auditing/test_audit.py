@@ -31,6 +31,7 @@ KEYS: dict[str, set[str]] = {
         *("schema", "robot", "verdict", "proof", "aspects", "postures", "singular"),
         *("witness", "models", "limits", "crosscheck", "undecided", "seconds"),
         *("versions", "seed", "literal_witness", "crowd"),
+        *("cusp", "structures", "margin", "tolerance"),
     },
     "robot": {"name", "file", "joints", "base", "tip", "task", "exact", "snapped"},
     "proof": {"kind", "engine", "reduction", "rests_on", "why"},
@@ -73,7 +74,7 @@ def test_every_key_is_there(audits: dict[str, Audit], name: str) -> None:
         if isinstance(inside, Mapping):
             assert wanted <= set(inside), key
     assert record["limits"] is None
-    assert record["schema"] == SCHEMA == "cuspaudit/audit/1"
+    assert record["schema"] == SCHEMA == "cuspaudit/audit/2"
     assert record["seed"] == 5
 
 

@@ -106,6 +106,25 @@ def test_show_writes_the_page_of_a_saved_audit(
     assert page.stat().st_size > 100_000
 
 
+def test_show_reads_the_schemas_of_both_versions(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A saved audit of version 1 is shown too; what names no robot is refused."""
+    saved, page = tmp_path / "a.json", tmp_path / "a.html"
+    run("audit", "ur5", "--json", saved, capsys=capsys)
+    record = json.loads(saved.read_text())
+    assert record["schema"] == "cuspaudit/audit/2"
+    for key in ("limits", "cusp", "structures", "margin", "tolerance"):
+        del record[key]
+    saved.write_text(json.dumps(record | {"schema": "cuspaudit/audit/1"}))
+    assert run("show", saved, "--html", page, capsys=capsys)[0] == 0
+    for change in ({"robot": None}, {"schema": "cuspaudit/trace/1"}):
+        saved.write_text(json.dumps(record | change))
+        status, _, err = run("show", saved, "--html", page, capsys=capsys)
+        assert (status, err.count("\n")) == (2, 1)
+        assert "names no robot" in err
+
+
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [

@@ -106,7 +106,7 @@ def slider_chain() -> Chain:
 
 
 def audit_of(chain: Chain, verdict: str, path: list[list[float]] | None) -> dict:
-    """An audit with every key of schema cuspaudit/audit/1."""
+    """An audit with every key of schema cuspaudit/audit/2."""
     kinds = {"cuspidal": "witness", "noncuspidal": "exact", "undecided": "none"}
     witness = path and {
         "sign": 1 if chain.task == "position" else -1,
@@ -116,7 +116,7 @@ def audit_of(chain: Chain, verdict: str, path: list[list[float]] | None) -> dict
         "certificate": "audits/issac.certificate.json",
     }
     return {
-        "schema": "cuspaudit/audit/1",
+        "schema": "cuspaudit/audit/2",
         "robot": {
             "name": chain.name,
             "file": "robots/arm.yaml",
@@ -152,7 +152,7 @@ def audit_of(chain: Chain, verdict: str, path: list[list[float]] | None) -> dict
         },
         "witness": witness or None,
         "models": {"literal": verdict, "snapped": verdict},
-        "limits": None,
+        **dict.fromkeys(("limits", "cusp", "structures", "margin", "tolerance")),
         "crosscheck": {
             "engine": "pinocchio",
             "samples": 100,

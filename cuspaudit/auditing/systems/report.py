@@ -112,7 +112,7 @@ def _record(system: SystemFile, run: Decision, seed: int) -> dict[str, Any]:
         },
         "witness": _witness(run),
         "models": {"literal": run.verdict.value, "snapped": run.verdict.value},
-        "limits": None,
+        **dict.fromkeys(("limits", "cusp", "structures", "margin", "tolerance")),
         "crosscheck": None,
         "undecided": _undecided(run),
         "steps": [_step(step) for step in run.steps],
