@@ -61,9 +61,9 @@ from cuspaudit.kinematics.exact_model import ExactModel
 from cuspaudit.kinematics.neighbors import concurrent, coplanar, parallel
 from cuspaudit.kinematics.polynomial_map import jacobian_determinant
 
-__all__ = ["triple_and_pair"]
+__all__ = ["PLACES", "triple_and_pair"]
 
-_PLACES = ((1, 4), (1, 5), (2, 5), (3, 1), (4, 1), (4, 2))
+PLACES = ((1, 4), (1, 5), (2, 5), (3, 1), (4, 1), (4, 2))
 """Where a triple and a pair can stand: the number of the first axis of each."""
 
 
@@ -73,7 +73,7 @@ def triple_and_pair(model: ExactModel) -> str | None:
     Args:
         model: six revolute joints.
     """
-    for first, other in _PLACES:
+    for first, other in PLACES:
         triple = _triple(model, first)
         if triple is None or not coplanar(model, other):
             continue

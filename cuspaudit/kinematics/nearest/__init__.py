@@ -1,0 +1,1 @@
+"""Nearest structures: how far an arm is from one that a theorem decides."""
