@@ -10,8 +10,8 @@ from itertools import islice
 import numpy as np
 from numpy.typing import NDArray
 
-from cuspaudit import __version__
 from cuspaudit.auditing.answer import Answer
+from cuspaudit.auditing.certified_robot import certified_robot
 from cuspaudit.auditing.search.lift import (
     close,
     lift_position,
@@ -20,17 +20,13 @@ from cuspaudit.auditing.search.lift import (
     wrist_spread,
 )
 from cuspaudit.certificate import (
-    CertifiedJoint,
     PathCertificate,
-    Rotate,
-    Task,
-    Translate,
     Verification,
     verify,
 )
 from cuspaudit.cuspidality.surface_path import SurfacePath, propose_paths
 from cuspaudit.errors import RetryableError, UnableError
-from cuspaudit.robot.chain import Chain, Motion, Translation, reverse
+from cuspaudit.robot.chain import Chain, reverse
 from cuspaudit.robot.frames import jacobian
 
 __all__ = ["Witness", "certificate_of", "certified", "find_witness"]
@@ -108,33 +104,10 @@ def certificate_of(chain: Chain, sign: int, path: Array) -> PathCertificate:
     """The certificate that states: this path of this chain keeps ``sign`` of det J."""
     points = tuple(tuple(Fraction(repr(float(v))) for v in row) for row in path)
     return PathCertificate(
-        robot_name=chain.name,
-        task=_task(chain),
-        unit=chain.unit,
-        joints=tuple(
-            CertifiedJoint(joint.name, joint.kind, joint.axis, _moves(joint.before))
-            for joint in chain.joints
-        ),
-        tool=_moves(chain.tool),
+        **certified_robot(chain),
         sign=1 if sign > 0 else -1,
         postures=(points[0], points[-1]),
         path=points,
-        made_by=f"cuspaudit {__version__}",
-    )
-
-
-def _task(chain: Chain) -> Task:
-    if chain.joints[-1].is_virtual:
-        return "position-and-axis"
-    return "position" if chain.task == "position" else "pose"
-
-
-def _moves(motions: tuple[Motion, ...]) -> tuple[Translate | Rotate, ...]:
-    return tuple(
-        Translate(motion.vector)
-        if isinstance(motion, Translation)
-        else Rotate(motion.axis, motion.angle.half_turns, motion.angle.radians)
-        for motion in motions
     )
 
 

@@ -2,7 +2,8 @@
 
 `verify` proves in ball arithmetic of python-flint, and with nothing of the code that
 searched, what a certificate claims of its robot; each kind has a module that proves it
-(`path_proof`). A certificate that is not accepted proves nothing about the robot.
+(`path_proof`, `structure_proof`). A certificate that is not accepted proves nothing
+about the robot.
 """
 
 from __future__ import annotations
@@ -15,9 +16,11 @@ from cuspaudit.certificate.cover import Cover, Refusal
 from cuspaudit.certificate.model import (
     Certificate,
     PathCertificate,
+    StructureCertificate,
     check_certificate,
 )
 from cuspaudit.certificate.path_proof import PathProof
+from cuspaudit.certificate.structure_proof import StructureProof
 
 __all__ = ["Verification", "verify"]
 
@@ -30,9 +33,11 @@ class Verification:
         accepted: whether the claim is proved.
         claim: what the certificate says of its robot.
         reason: one sentence: what was proved, or the first step that failed.
-        boxes: number of boxes that the path was cut into, up to the failure.
+        boxes: number of boxes that the path was cut into, up to the failure; 0 without
+            a path.
         smallest: proved lower bound of sign det J on the path and on the end box, at
-            least a quarter of the true minimum on the path; None if not accepted.
+            least a quarter of the true minimum on the path; of a structure, of |det J|
+            at the regular posture; None if not accepted.
         radius: half side of the box that holds the true second posture; None if that
             step failed.
         bits: the highest working precision used.
@@ -63,31 +68,33 @@ def verify(certificate: Certificate) -> Verification:
         InvalidCertificateError: the certificate is not well formed.
     """
     check_certificate(certificate)
-    match certificate:
-        case PathCertificate():
-            return _path(certificate)
-        case _:
-            raise TypeError(f"no kind of certificate: {type(certificate).__name__}")
-
-
-def _path(certificate: PathCertificate) -> Verification:
-    proof = PathProof(certificate, Cover(certificate))
     start = time.perf_counter()
+    proof = _proof(certificate)
     try:
         _check_claim(certificate)
         smallest, reason = proof.run(), proof.summary()
     except Refusal as refusal:
         smallest, reason = None, str(refusal)
+    path = proof if isinstance(proof, PathProof) else None
     return Verification(
         accepted=smallest is not None,
-        claim="cuspidal",
+        claim="noncuspidal" if path is None else "cuspidal",
         reason=reason,
-        boxes=proof.cover.boxes,
+        boxes=0 if path is None else path.cover.boxes,
         smallest=smallest,
-        radius=proof.radius,
-        bits=max(proof.bits, proof.cover.bits),
+        radius=None if path is None else path.radius,
+        bits=proof.bits if path is None else max(path.bits, path.cover.bits),
         seconds=time.perf_counter() - start,
     )
+
+
+def _proof(certificate: Certificate) -> PathProof | StructureProof:
+    match certificate:
+        case PathCertificate():
+            return PathProof(certificate, Cover(certificate))
+        case StructureCertificate():
+            return StructureProof(certificate)
+    raise TypeError(f"no kind of certificate: {type(certificate).__name__}")
 
 
 def _check_claim(certificate: Certificate) -> None:

@@ -4,11 +4,14 @@ Position task, three joints: the columns are the velocities of the tip's origin.
 task, six joints: the columns are the velocity of the tip's origin above the angular
 velocity, in this order (linear, then angular), base to tip.
 
-Both are computed in the coordinates of a link in the middle of the arm: link 1 for the
-position, link 3 for the pose. This changes no value. A rotation of the coordinates
-multiplies det J by det R (3 rows) or by det diag(R, R) (6 rows), which are 1; moving
-the reference point of the velocities from the tip to the origin, v = m + w x p, adds
-multiples of the angular rows to the linear ones. What is gained: joint 1 (and for the
+Position and angle, four joints: the columns are the velocity of the tip's origin above
+the part of the angular velocity along the last axis that turns.
+
+Position and pose are computed in the coordinates of a link in the middle of the arm:
+link 1 for the position, link 3 for the pose. This changes no value. A rotation of the
+coordinates multiplies det J by det R (3 rows) or det diag(R, R) (6 rows), which are 1;
+moving the reference point of the velocities from the tip to the origin, v = m + w x p,
+adds multiples of the angular rows to the linear ones. What is gained: joint 1 (for the
 pose task joint 6) drops out, and each screw depends on two joint values at most, so
 that the enclosures are tight.
 
@@ -34,7 +37,7 @@ def jacobian_determinant(arm: Arm[S], q: Sequence[S]) -> S | None:
     """Return det J at the joint values ``q``.
 
     Args:
-        arm: three joints (position task) or six (pose task).
+        arm: three joints (position task), four (position and angle) or six (pose).
         q: one value a joint: balls, or power series.
 
     Returns:
@@ -43,6 +46,8 @@ def jacobian_determinant(arm: Arm[S], q: Sequence[S]) -> S | None:
     """
     if len(arm.joints) == 3:
         return _position(arm, q)
+    if len(arm.joints) == 4:
+        return _position_and_angle(arm, q)
     return _pose(arm, q)
 
 
@@ -51,6 +56,21 @@ def _position(arm: Arm[S], q: Sequence[S]) -> S | None:
     [second, third], tip = arm.outward(1, q)
     others = cross(second.velocity(tip.p), third.velocity(tip.p))
     return dot(first.velocity(tip.p), others)
+
+
+def _position_and_angle(arm: Arm[S], q: Sequence[S]) -> S | None:
+    """Expanded along the row of angles; None where no joint turns."""
+    screws, tip = arm.outward(0, q)
+    turning = [k for k, joint in enumerate(arm.joints) if joint.turns]
+    if not turning:
+        return None
+    along, total = screws[turning[-1]].w, None
+    velocities = [screw.velocity(tip.p) for screw in screws]
+    for k in turning:
+        a, b, c = velocities[:k] + velocities[k + 1 :]
+        term = times(dot(screws[k].w, along), dot(a, cross(b, c)))
+        total = plus(total, term) if k % 2 else minus(total, term)
+    return total
 
 
 def _pose(arm: Arm[S], q: Sequence[S]) -> S | None:

@@ -3,9 +3,9 @@
 ::
 
     {"schema": "cuspaudit/certificate/2",
-     "kind": "path",
+     "kind": "path" | "structure",
      "robot": {"name": "...", "unit": "m",
-       "task": "position" | "position-and-axis" | "pose",
+       "task": "position" | "position-and-angle" | "position-and-axis" | "pose",
        "joints": [{"name": "...", "type": "revolute" | "prismatic",
                    "axis": ["0", "0", "1"], "before": [MOTION, ...]}, ...],
        "tool": [MOTION, ...]},
@@ -18,6 +18,9 @@
     path: "sign": 1 | -1,
           "postures": [["0.1", ...], ["...", ...]],
           "path": [["0.1", ...], ...]
+    structure: "theorem": "spherical wrist",
+          "relations": [{"axes": [2, 3], "are": "parallel"}, ...],
+          "regular": ["0.1", ...]
 
     MOTION: {"translate": ["x", "y", "z"]}
             {"rotate": ["ax", "ay", "az"], "angle": {"pi": "1/2", "rad": "0"}}
@@ -45,6 +48,7 @@ from cuspaudit.certificate.model import (
     Certificate,
     Motion,
     PathCertificate,
+    StructureCertificate,
     Translate,
     check_certificate,
 )
@@ -197,6 +201,14 @@ def _json_from_certificate(certificate: Certificate) -> dict[str, Any]:
         found["sign"] = certificate.sign
         found["postures"] = [texts(row) for row in certificate.postures]
         found["path"] = [texts(row) for row in certificate.path]
+    if isinstance(certificate, StructureCertificate):
+        found["kind"] = "structure"
+        found["theorem"] = certificate.theorem
+        found["relations"] = [
+            {"axes": list(relation.axes), "are": relation.word}
+            for relation in certificate.relations
+        ]
+        found["regular"] = texts(certificate.regular)
     return found | {"made_by": certificate.made_by}
 
 

@@ -7,6 +7,9 @@ the file is needed to prove it. The second posture is an approximation, because 
 are algebraic numbers in general; the checker proves that one true posture lies next to
 it.
 
+kind "structure" claims that the robot is noncuspidal: some of its axes meet, are
+parallel or are square, and there is a theorem about such arms.
+
 Each kind is a class of its own, a `Certificate` with what its claim needs besides.
 """
 
@@ -30,11 +33,14 @@ __all__ = [
     "Numbers",
     "PathCertificate",
     "Posture",
+    "Relation",
     "Rotate",
+    "StructureCertificate",
     "Task",
     "Tolerance",
     "Translate",
     "Vector",
+    "Word",
     "check_certificate",
     "printable",
 ]
@@ -42,13 +48,20 @@ __all__ = [
 Vector = tuple[Fraction, Fraction, Fraction]
 Posture = tuple[Fraction, ...]
 JointKind = Literal["revolute", "prismatic"]
-Task = Literal["position", "position-and-axis", "pose"]
+Task = Literal["position", "position-and-angle", "position-and-axis", "pose"]
+Word = Literal["meeting", "parallel", "square"]
 Numbers = Literal["literal", "snapped"]
 Limits = tuple[tuple[Fraction, Fraction] | None, ...]
 
-JOINTS_OF_TASK: dict[Task, int] = {"position": 3, "position-and-axis": 6, "pose": 6}
+JOINTS_OF_TASK: dict[Task, int] = {
+    "position": 3,
+    "position-and-angle": 4,
+    "position-and-axis": 6,
+    "pose": 6,
+}
 """The number of joints that makes the Jacobian matrix of each task square."""
 
+WORDS = ("meeting", "parallel", "square")
 TASKS = " or ".join(f'"{task}"' for task in JOINTS_OF_TASK)
 
 
@@ -110,6 +123,8 @@ class Certificate:
             claim is about the five others, the position of the tip and the direction
             of that axis: a pose of six joints is this task's place and one angle, and
             the virtual joint's value is known from them, so both claims are the same.
+            "position-and-angle" (4, for the kind "structure" only): the fourth row of
+            J is the part of the angular velocity along the last axis that turns.
         unit: unit of every length, for the reader.
         joints: base to tip.
         tool: the fixed transform after the last joint.
@@ -147,6 +162,40 @@ class PathCertificate(Certificate):
     sign: Literal[1, -1]
     postures: tuple[Posture, Posture]
     path: tuple[Posture, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Relation:
+    """How some axes stand to each other, in every posture.
+
+    Attributes:
+        axes: their numbers from 1, increasing.
+        word: "meeting" in one point and not parallel, "parallel", or "square", at right
+            angles.
+    """
+
+    axes: tuple[int, ...]
+    word: Word
+
+    def __str__(self) -> str:
+        *first, last = map(str, self.axes)
+        axes = f"axes {', '.join(first)} and {last}" if first else f"axis {last}"
+        return f"{axes} {'meet' if self.word == 'meeting' else f'are {self.word}'}"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class StructureCertificate(Certificate):
+    """The claim that a robot is noncuspidal, by a theorem about how its axes stand.
+
+    Attributes:
+        theorem: its name.
+        relations: exactly those that the theorem needs.
+        regular: a posture at which det J is not 0; rad, or the unit of length.
+    """
+
+    theorem: str
+    relations: tuple[Relation, ...]
+    regular: Posture
 
 
 def printable(name: str) -> str:
@@ -198,6 +247,8 @@ def _misfits(certificate: Certificate) -> _Misfits:
     yield from _limit_misfits(certificate)
     if isinstance(certificate, PathCertificate):
         yield from _path_misfits(certificate)
+    if isinstance(certificate, StructureCertificate):
+        yield from _structure_misfits(certificate)
 
 
 def _limit_misfits(certificate: Certificate) -> _Misfits:
@@ -219,6 +270,8 @@ def _limit_misfits(certificate: Certificate) -> _Misfits:
 
 def _path_misfits(certificate: PathCertificate) -> _Misfits:
     needed = JOINTS_OF_TASK[certificate.task]
+    if certificate.task == "position-and-angle":
+        yield "robot.task", repr(certificate.task), "a path is of another task"
     if certificate.sign not in (1, -1):
         yield "sign", repr(certificate.sign), "use 1 or -1"
     if len(certificate.postures) != 2:
@@ -228,6 +281,19 @@ def _path_misfits(certificate: PathCertificate) -> _Misfits:
     for key, rows in (("postures", certificate.postures), ("path", certificate.path)):
         for index, row in enumerate(rows):
             yield from _row_misfits(row, needed, f"{key}[{index}]")
+
+
+def _structure_misfits(certificate: StructureCertificate) -> _Misfits:
+    needed = JOINTS_OF_TASK[certificate.task]
+    for index, relation in enumerate(certificate.relations):
+        where, axes = f"relations[{index}]", relation.axes
+        if relation.word not in WORDS:
+            yield f"{where}.are", repr(relation.word), f"use one of {WORDS}"
+        inside = all(type(k) is int and 1 <= k <= needed for k in axes)
+        if not axes or not inside or sorted(set(axes)) != list(axes):
+            expected = f"give numbers from 1 to {needed}, increasing"
+            yield f"{where}.axes", repr(list(axes)), expected
+    yield from _row_misfits(certificate.regular, needed, "regular")
 
 
 def _virtual_misfits(certificate: Certificate) -> _Misfits:

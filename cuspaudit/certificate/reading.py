@@ -23,11 +23,14 @@ from cuspaudit.certificate.model import (
     Numbers,
     PathCertificate,
     Posture,
+    Relation,
     Rotate,
+    StructureCertificate,
     Task,
     Tolerance,
     Translate,
     Vector,
+    Word,
 )
 from cuspaudit.errors import InvalidCertificateError
 
@@ -130,8 +133,30 @@ def _path(top: dict[str, Any], place: Place) -> PathCertificate:
     )
 
 
+def _structure(top: dict[str, Any], place: Place) -> StructureCertificate:
+    return StructureCertificate(
+        **_frame(top, place),
+        theorem=place.key("theorem").text(top["theorem"]),
+        relations=place.key("relations").items(top["relations"], _relation),
+        regular=_row(top["regular"], place.key("regular")),
+    )
+
+
+def _relation(value: Any, place: Place) -> Relation:
+    table = place.table(value, "axes", "are")
+    axes = place.key("axes").items(table["axes"], _axis_number)
+    return Relation(axes, cast(Word, place.key("are").text(table["are"])))
+
+
+def _axis_number(value: Any, place: Place) -> int:
+    if type(value) is not int:
+        place.fail(_short(value), "give the number of an axis")
+    return value
+
+
 _KINDS: dict[str, tuple[tuple[str, ...], Callable[[Any, Place], Certificate]]] = {
     "path": (("sign", "postures", "path"), _path),
+    "structure": (("theorem", "relations", "regular"), _structure),
 }
 """The keys of each kind beside those that all have, and what reads it."""
 

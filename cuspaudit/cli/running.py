@@ -46,12 +46,12 @@ def run_audit(
 
 
 def certificate_text(result: Audit) -> str | None:
-    """The certificate of a verdict that has a witness, else None."""
+    """The certificate of the verdict, if it has one."""
+    from cuspaudit.auditing.certificates import certificate_of_audit
     from cuspaudit.certificate import text_from_certificate
 
-    if result.witness is None:
-        return None
-    return text_from_certificate(result.witness.certificate)
+    certificate = certificate_of_audit(result)
+    return None if certificate is None else text_from_certificate(certificate)
 
 
 def page_text(record: Mapping[str, Any], result: Audit, proof: str | None) -> str:

@@ -18,7 +18,7 @@ def verify(
         bool, typer.Option("--json", help="Print the result as JSON.")
     ] = False,
 ) -> None:
-    """Re-prove a witness from the certificate alone, in ball arithmetic."""
+    """Re-prove a verdict from its certificate alone, in ball and exact arithmetic."""
     from cuspaudit.certificate import printable, read_certificate
     from cuspaudit.certificate import verify as prove
 

@@ -1,0 +1,35 @@
+"""The certificate of an audit: what a stranger can check without this program."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from cuspaudit.auditing.record import Audit
+from cuspaudit.auditing.structure_certificate import structure_certificate
+from cuspaudit.certificate import Certificate
+from cuspaudit.cuspidality.verdict import Verdict
+from cuspaudit.robot.virtual_joint import with_virtual_joint
+
+__all__ = ["certificate_of_audit"]
+
+
+def certificate_of_audit(audit: Audit) -> Certificate | None:
+    """The certificate of the verdict of ``audit``, or None where it has none.
+
+    Of a cuspidal verdict that of its witness; of a noncuspidal one that of a theorem,
+    for the numbers that the verdict is about, or else for those of the file.
+    """
+    literal = with_virtual_joint(audit.robot.chain)
+    if audit.witness is not None:
+        is_literal = audit.witness.chain == literal
+        return replace(
+            audit.witness.certificate, numbers="literal" if is_literal else "snapped"
+        )
+    if audit.verdict is not Verdict.NONCUSPIDAL:
+        return None
+    kind = audit.answer.reduction.kind if audit.answer.reduction else ""
+    for chain in dict.fromkeys((audit.answer.model.chain, literal)):
+        found = structure_certificate(chain, kind)
+        if found is not None:
+            return replace(found, numbers="literal" if chain == literal else "snapped")
+    return None
