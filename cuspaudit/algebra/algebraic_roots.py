@@ -14,13 +14,13 @@ from itertools import combinations, pairwise
 from flint import acb, acb_poly, arb, arb_poly, ctx, fmpq, fmpq_poly
 
 from cuspaudit.algebra.elimination import discriminant, resultant
+from cuspaudit.algebra.residue_gcd import Row, common_degree, divided, monic_gcd
 from cuspaudit.algebra.ring import Polynomial, Ring
 from cuspaudit.algebra.univariate import PRECISIONS, RealRoot, Univariate
 from cuspaudit.errors import PrecisionError
 
 __all__ = ["common_divisor_over", "real_roots_over"]
 
-_Row = list[fmpq_poly]
 _Key = tuple[tuple[fmpq, ...], ...]
 
 _RING = Ring(["w", "z"])
@@ -46,15 +46,14 @@ def real_roots_over(
         PrecisionError: two zeros were not separated.
     """
     m = fmpq_poly(root.polynomial)
-    rows = [_cut(p, m) for p in polynomials]
-    found = _with_double_zeros([row for row in rows if len(row) > 1], root)
+    rows = [row for row in (_cut(p, m) for p in polynomials) if len(row) > 1]
+    found = _with_double_zeros(rows, root)
     if found is not None:
         return found
-    reduced = [row for row in (_reduced(p, m) for p in rows) if len(row) > 1]
-    reduced = _coprime([_square_free(row, m) for row in reduced], m)
+    rows = _coprime([_square_free(_reduced(row, m), m) for row in rows], m)
     for bits in PRECISIONS[1:]:
         with ctx.workprec(bits):
-            total = _product(reduced, root.enclosure(bits))
+            total = _product(rows, root.enclosure(bits))
             found = _real(_isolated(total, _SHIFTS))
         if found is not None:
             return found
@@ -72,10 +71,10 @@ def common_divisor_over(
         root: alpha.
     """
     m = fmpq_poly(root.polynomial)
-    return _gcd(_reduced(p, m), _reduced(q, m), m)
+    return monic_gcd(_reduced(p, m), _reduced(q, m), m)
 
 
-def _with_double_zeros(rows: list[_Row], root: RealRoot) -> list[arb] | None:
+def _with_double_zeros(rows: list[Row], root: RealRoot) -> list[arb] | None:
     """The real zeros of P = p_1 ... p_k when no zero is worse than double, or None.
 
     Let e be the number of polynomials with discriminant 0 at alpha and of pairs with
@@ -83,11 +82,10 @@ def _with_double_zeros(rows: list[_Row], root: RealRoot) -> list[arb] | None:
     accounts for one of these at most, so there are e at least; if P is perhaps 0 at
     e zeros of P' only, these are all, and P / prod (z - b)^2 has distinct zeros.
     """
-    m = fmpq_poly(root.polynomial)
-    keys = [tuple(tuple(c.coeffs()) for c in row) for row in rows]
-    double = sum(_discriminant(key) % m == 0 for key in keys if len(key) > 2)
-    double += sum(_resultant(a, b) % m == 0 for a, b in combinations(keys, 2))
-    for bits in PRECISIONS[1:3]:
+    double = _meetings(rows, fmpq_poly(root.polynomial))
+    if double is None:
+        return None
+    for bits in PRECISIONS[1:]:
         with ctx.workprec(bits):
             total = _product(rows, root.enclosure(bits))
             zeros = _isolated(total.derivative()) if double else []
@@ -104,7 +102,28 @@ def _with_double_zeros(rows: list[_Row], root: RealRoot) -> list[arb] | None:
     return None
 
 
-def _product(rows: list[_Row], alpha: arb) -> arb_poly:
+def _meetings(rows: list[Row], m: fmpq_poly) -> int | None:
+    """The number e of ``_with_double_zeros``; None where a zero is worse than double.
+
+    What does not meet modulo a prime does not meet: most discriminants and resultants
+    are not computed. None is a guess, and costs time only.
+    """
+    keys = [tuple(tuple(c.coeffs()) for c in row) for row in rows]
+    reduced, double = [_reduced(row, m) for row in rows], 0
+    for row, key in zip(reduced, keys, strict=True):
+        common = common_degree(row, _slope(row, m), m) if len(row) > 2 else 0
+        if common > 1:
+            return None
+        double += common == 1 and _discriminant(key) % m == 0
+    for (p, a), (q, b) in combinations(zip(reduced, keys, strict=True), 2):
+        common = common_degree(p, q, m)
+        if common > 1:
+            return None
+        double += common == 1 and _resultant(a, b) % m == 0
+    return double
+
+
+def _product(rows: list[Row], alpha: arb) -> arb_poly:
     total = arb_poly([1])
     for row in rows:
         total *= arb_poly([arb_poly(c)(alpha) for c in row])
@@ -171,7 +190,7 @@ def _bivariate(key: _Key) -> Polynomial:
     return _RING.context.from_dict(terms)
 
 
-def _cut(polynomial: Sequence[fmpq_poly], m: fmpq_poly) -> _Row:
+def _cut(polynomial: Sequence[fmpq_poly], m: fmpq_poly) -> Row:
     """The polynomial without the leading coefficients that are 0 at the root."""
     row = list(polynomial)
     while row and row[-1] % m == 0:
@@ -179,50 +198,28 @@ def _cut(polynomial: Sequence[fmpq_poly], m: fmpq_poly) -> _Row:
     return row
 
 
-def _reduced(polynomial: Sequence[fmpq_poly], m: fmpq_poly) -> _Row:
+def _reduced(polynomial: Sequence[fmpq_poly], m: fmpq_poly) -> Row:
     row = [c % m for c in polynomial]
     while row and row[-1] == 0:
         row.pop()
     return row
 
 
-def _coprime(rows: list[_Row], m: fmpq_poly) -> list[_Row]:
+def _coprime(rows: list[Row], m: fmpq_poly) -> list[Row]:
     """Square-free polynomials with the same zeros, without common ones."""
     rows = list(rows)
     for i, j in combinations(range(len(rows)), 2):
-        rows[j] = _quotient(rows[j], _gcd(rows[i], rows[j], m), m)
+        rows[j] = _quotient(rows[j], monic_gcd(rows[i], rows[j], m), m)
     return rows
 
 
-def _square_free(row: _Row, m: fmpq_poly) -> _Row:
-    slope = _reduced([k * c for k, c in enumerate(row)][1:], m)
-    return _quotient(row, _gcd(row, slope, m), m)
+def _square_free(row: Row, m: fmpq_poly) -> Row:
+    return _quotient(row, monic_gcd(row, _slope(row, m), m), m)
 
 
-def _gcd(p: _Row, q: _Row, m: fmpq_poly) -> _Row:
-    """The monic greatest common divisor, by Euclid."""
-    while q:
-        q = _monic(q, m)
-        p, q = q, _divide(p, q, m)[1]
-    return _monic(p, m)
+def _slope(row: Row, m: fmpq_poly) -> Row:
+    return _reduced([k * c for k, c in enumerate(row)][1:], m)
 
 
-def _quotient(p: _Row, q: _Row, m: fmpq_poly) -> _Row:
-    return _divide(p, q, m)[0] if len(q) > 1 else p
-
-
-def _monic(row: _Row, m: fmpq_poly) -> _Row:
-    inverse = row[-1].xgcd(m)[1]
-    return [c * inverse % m for c in row]
-
-
-def _divide(p: _Row, q: _Row, m: fmpq_poly) -> tuple[_Row, _Row]:
-    """Quotient and remainder by a monic polynomial."""
-    rest, quotient = list(p), [fmpq_poly([0])] * max(len(p) - len(q) + 1, 0)
-    for shift in range(len(p) - len(q), -1, -1):
-        top = rest[shift + len(q) - 1]
-        quotient[shift] = top
-        if top != 0:
-            for k, c in enumerate(q):
-                rest[shift + k] = (rest[shift + k] - top * c) % m
-    return quotient, _reduced(rest, m)
+def _quotient(p: Row, q: Row, m: fmpq_poly) -> Row:
+    return divided(p, q, m)[0] if len(q) > 1 else p

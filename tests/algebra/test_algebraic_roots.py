@@ -117,3 +117,12 @@ def test_both_routes_give_the_same_zeros() -> None:
             assert len(fast) == len(slow)
             assert all(a.overlaps(b) for a, b in zip(fast, slow, strict=True))
     assert quick > 10
+
+
+def test_double_zeros_close_together_are_separated_by_precision() -> None:
+    """(z - w)^2 (z - w - 10^-40) has two zeros, found without a gcd."""
+    near = -W - fmpq_poly([1]) / 10**40
+    row = times(times([-W, ONE], [-W, ONE]), [near, ONE])
+    found = algebraic_roots._with_double_zeros([row], SQRT2)
+    assert found is not None
+    assert len(found) == 2
