@@ -81,7 +81,6 @@ def audit(robot: Robot, options: Options | None = None) -> Audit:
         check,
         clock.seconds,
         options.seed,
-        options.locked or {},
         options.snap,
         proof,
     )
@@ -198,7 +197,7 @@ def _check(
         found.model,
         urdf=urdf,
         literal=literal,
-        locked=options.locked,
+        locked=robot.locked,
         path=None if witness is None else list(witness.path),
         path_is_literal=literal is None
         or (witness is not None and witness.chain == literal.chain),

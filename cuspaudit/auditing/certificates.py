@@ -6,11 +6,11 @@ from dataclasses import replace
 
 from cuspaudit.auditing.record import Audit
 from cuspaudit.auditing.structure_certificate import structure_certificate
-from cuspaudit.certificate import Certificate
+from cuspaudit.certificate import Certificate, text_from_certificate
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.robot.virtual_joint import with_virtual_joint
 
-__all__ = ["certificate_of_audit"]
+__all__ = ["certificate_of_audit", "certificate_text"]
 
 
 def certificate_of_audit(audit: Audit) -> Certificate | None:
@@ -33,3 +33,9 @@ def certificate_of_audit(audit: Audit) -> Certificate | None:
         if found is not None:
             return replace(found, numbers="literal" if chain == literal else "snapped")
     return None
+
+
+def certificate_text(audit: Audit) -> str | None:
+    """The text of `certificate_of_audit`, as a file holds it."""
+    certificate = certificate_of_audit(audit)
+    return None if certificate is None else text_from_certificate(certificate)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 
@@ -20,7 +20,6 @@ class Options:
     Attributes:
         seed: of every random choice; it is kept in the result.
         timeout: seconds after which the next step is not begun, or None.
-        locked: joints held fixed in the chain, as the user wrote them.
         progress: called with the name of each step before it runs.
         snap: which numbers are taken for others.
         engine: the route to connectivity, "auto", "roadmap" or "routing"; or "pairs",
@@ -29,7 +28,6 @@ class Options:
 
     seed: int = 0
     timeout: float | None = None
-    locked: Mapping[str, str] | None = None
     progress: Callable[[str], None] = lambda step: None
     snap: SnapPolicy = DEFAULT_POLICY
     engine: str = "auto"

@@ -47,7 +47,6 @@ class Audit:
         check: the comparison with Pinocchio.
         seconds: time of each stage.
         seed: of the random choices.
-        locked: joints held fixed, as the user wrote them.
         policy: which numbers were taken for others.
     """
 
@@ -61,7 +60,6 @@ class Audit:
     check: CrossCheck
     seconds: Mapping[str, float]
     seed: int
-    locked: Mapping[str, str]
     policy: SnapPolicy = DEFAULT_POLICY
     literal_witness: Witness | None = None
 
@@ -123,7 +121,7 @@ class Audit:
             "approximated": [
                 asdict(entry) for entry in self.answer.model.approximations
             ],
-            "locked": dict(self.locked),
+            "locked": dict(self.robot.locked),
             "notes": list(self.robot.notes),
         }
 

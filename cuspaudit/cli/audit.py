@@ -24,7 +24,7 @@ from cuspaudit.cli.options import (
     Timeout,
     Tip,
 )
-from cuspaudit.cli.running import certificate_text, page_text, run_audit
+from cuspaudit.cli.running import run_audit
 from cuspaudit.cli.summary import print_summary
 
 __all__ = ["audit"]
@@ -61,6 +61,7 @@ def audit(
     ] = False,
 ) -> None:
     """Import, decide, certify, cross-check and report: the main job."""
+    from cuspaudit.auditing.certificates import certificate_text
     from cuspaudit.auditing.proof_record import proof_record
     from cuspaudit.runtime.writing import check_writable, write_text
 
@@ -69,14 +70,16 @@ def audit(
         files.append(Path(json_file or ""))
     for file in files:
         check_writable(file)
-    opened, locked = open_named(robot, base, tip, task, lock, convention, angle_unit)
-    result = run_audit(opened, locked, seed, timeout, snap, engine.value)
+    opened = open_named(robot, base, tip, task, lock, convention, angle_unit)
+    result = run_audit(opened, seed, timeout, snap, engine.value)
     proof = certificate_text(result)
     written = str(certificate) if certificate and proof else None
     record = result.record(written)
     if certificate:
         write_text(certificate, proof or proof_record(result.answer))
     if html:
+        from cuspaudit.pictures.page import page_text
+
         write_text(html, page_text(record, result, proof))
     if json_file == "-":
         typer.echo(json.dumps(record, indent=1, allow_nan=False))

@@ -76,7 +76,7 @@ def import_(
     from cuspaudit.robot.snap_policy import policy_from_name
 
     square = to in (Form.poly, Form.msolve)
-    opened, _ = open_named(
+    opened = open_named(
         robot, base, tip, task, lock, convention, angle_unit, square=square
     )
     policy = policy_from_name(snap)

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import typer
 
-from cuspaudit.cli.running import certificate_text, page_text, run_audit
+from cuspaudit.cli.running import run_audit
 from cuspaudit.errors import CuspauditError, InvalidInputError
 
 __all__ = ["audit_members", "kept_audits"]
@@ -59,13 +59,15 @@ def _indices(files: Mapping[int, str], wanted: Sequence[str]) -> list[int]:
 
 
 def _audit(folder: Path, index: int, text: str) -> None:
+    from cuspaudit.auditing.certificates import certificate_text
+    from cuspaudit.pictures.page import page_text
     from cuspaudit.robot.library import open_robot
     from cuspaudit.runtime.writing import write_text
 
     file = _page(folder, index).with_suffix(".yaml")
     file.parent.mkdir(exist_ok=True)
     write_text(file, text)
-    result = run_audit(open_robot(file), {}, 0, None, "none")
+    result = run_audit(open_robot(file), 0, None, "none")
     page = page_text(result.record(), result, certificate_text(result))
     write_text(_page(folder, index), page)
 

@@ -22,8 +22,8 @@ def open_named(
     angle_unit: str | None,
     *,
     square: bool = True,
-) -> tuple[Robot, dict[str, str]]:
-    """The robot a user named, and the values of its locked joints as texts.
+) -> Robot:
+    """The robot a user named.
 
     Args:
         name: a file, or a name of the library.
@@ -40,18 +40,16 @@ def open_named(
     """
     from cuspaudit.robot.library import open_robot
 
-    locked = dict(_joint_and_value(entry) for entry in lock or [])
-    robot = open_robot(
+    return open_robot(
         name,
         base=base,
         tip=tip,
         task=task,
-        lock=locked,
+        lock=dict(_joint_and_value(entry) for entry in lock or []),
         convention=convention,
         angle_unit=angle_unit,
         square=square,
     )
-    return robot, locked
 
 
 def _joint_and_value(entry: str) -> tuple[str, str]:

@@ -66,7 +66,7 @@ def plot(
         plane = Plane(x, y, colour, tuple(fix or ()))
         plot_family(Path(robot), output, plane, audits or [])
     else:
-        opened, _ = open_named(robot, base, tip, task, lock, convention, angle_unit)
+        opened = open_named(robot, base, tip, task, lock, convention, angle_unit)
         _plot_robot(opened, output, snap, at)
 
 

@@ -1,20 +1,19 @@
-"""One audit run for the terminal: the step under way, the proof, the page."""
+"""One audit run for the terminal, with the step under way."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from rich.console import Console
 from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 
 if TYPE_CHECKING:
     from cuspaudit.auditing.audit import Audit
-    from cuspaudit.robot.chain import Chain
     from cuspaudit.robot.robot import Robot
 
-__all__ = ["STEPS", "certificate_text", "page_text", "progress_bar", "run_audit"]
+__all__ = ["STEPS", "progress_bar", "run_audit"]
 
 #: of an audit, in their order; an arm has some of them
 STEPS = (
@@ -26,7 +25,6 @@ STEPS = (
 
 def run_audit(
     robot: Robot,
-    locked: Mapping[str, str],
     seed: int,
     timeout: float | None,
     snap: str,
@@ -42,39 +40,7 @@ def run_audit(
 
     policy = policy_from_name(snap)
     with progress_bar(STEPS) as step:
-        return audit(robot, Options(seed, timeout, locked, step, policy, engine))
-
-
-def certificate_text(result: Audit) -> str | None:
-    """The certificate of the verdict, if it has one."""
-    from cuspaudit.auditing.certificates import certificate_of_audit
-    from cuspaudit.certificate import text_from_certificate
-
-    certificate = certificate_of_audit(result)
-    return None if certificate is None else text_from_certificate(certificate)
-
-
-def page_text(record: Mapping[str, Any], result: Audit, proof: str | None) -> str:
-    """The offline page: the witness path, or the postures of one pose."""
-    from cuspaudit.pictures.postures import shown_postures
-    from cuspaudit.robot.formats.urdf.visuals import visuals
-    from cuspaudit.robot.library import example_robot_data
-    from cuspaudit.viz import build_scene, render_page, sample_path, sample_postures
-
-    chain: Chain = result.shown_chain
-    own = len(chain.joints)
-    if result.witness is not None:
-        frames = sample_path(chain, result.witness.path[:, :own].tolist())
-    else:
-        shown = shown_postures(result.answer, result.seed)
-        rows = [posture[:own] for posture in shown.postures]
-        frames = sample_postures(chain, rows, shown.aspects)
-    share = example_robot_data()
-    shapes = (
-        visuals(result.robot, [share] if share else []) if result.robot.urdf else ()
-    )
-    scene = build_scene(chain, frames, shapes)
-    return render_page(record, scene, certificate=proof)
+        return audit(robot, Options(seed, timeout, step, policy, engine))
 
 
 @contextmanager

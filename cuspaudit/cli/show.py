@@ -19,7 +19,7 @@ from cuspaudit.cli.options import (
     TaskName,
     Tip,
 )
-from cuspaudit.cli.running import certificate_text, page_text, run_audit
+from cuspaudit.cli.running import run_audit
 from cuspaudit.errors import InvalidInputError
 
 __all__ = ["show"]
@@ -49,6 +49,8 @@ def show(
     seed: Seed = 0,
 ) -> None:
     """Show the witness path in a browser, or the postures of one pose."""
+    from cuspaudit.auditing.certificates import certificate_text
+    from cuspaudit.pictures.page import page_text
     from cuspaudit.runtime.writing import check_writable, write_text
     from cuspaudit.viz import serve
 
@@ -60,8 +62,8 @@ def show(
         lock = [f"{joint}={value}" for joint, value in saved["locked"].items()]
         if not source.endswith((".urdf", ".xml")):
             base = tip = None
-    opened, locked = open_named(source, base, tip, task, lock, convention, angle_unit)
-    result = run_audit(opened, locked, seed, None, snap)
+    opened = open_named(source, base, tip, task, lock, convention, angle_unit)
+    result = run_audit(opened, seed, None, snap)
     page = page_text(result.record(), result, certificate_text(result))
     if html:
         write_text(html, page)

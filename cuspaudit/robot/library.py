@@ -19,6 +19,7 @@ from cuspaudit.errors import InvalidRobotError
 from cuspaudit.robot.chain import Angle
 from cuspaudit.robot.descriptions import description_file, description_names
 from cuspaudit.robot.formats.read_robot import TABLES, read_robot
+from cuspaudit.robot.numbers import format_angle, format_rational
 from cuspaudit.robot.place import listing, quoted
 from cuspaudit.robot.robot import Robot
 from cuspaudit.robot.task import check_task, default_task
@@ -69,12 +70,20 @@ def open_robot(
         chain = lock_joints(robot.chain, lock)
         if task is None:
             chain = replace(chain, task=default_task(len(chain.joints)))
-        notes = tuple(f"{name} is locked at {value}" for name, value in lock.items())
-        expect = None
-        robot = replace(robot, chain=chain, notes=robot.notes + notes, expect=expect)
+        locked = {name: _written(value) for name, value in lock.items()}
+        notes = tuple(f"{name} is locked at {value}" for name, value in locked.items())
+        robot = replace(
+            robot, chain=chain, notes=robot.notes + notes, locked=locked, expect=None
+        )
     if square:
         check_task(robot.chain, robot.file)
     return robot
+
+
+def _written(value: str | Angle | Fraction) -> str:
+    if isinstance(value, str):
+        return value
+    return format_angle(value) if isinstance(value, Angle) else format_rational(value)
 
 
 def library() -> list[tuple[str, Path]]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from cuspaudit.robot.chain import Chain
@@ -28,6 +28,7 @@ class Robot:
         expect: what is known of it, see `parse_expectation`; None when nothing is.
         urdf: the URDF file, when it came from one (its meshes can be drawn).
         notes: what the reader assumed, one sentence each.
+        locked: joints that are held fixed in the chain, with their values as text.
     """
 
     name: str
@@ -38,6 +39,13 @@ class Robot:
     expect: Mapping[str, str | int | None] | None = None
     urdf: Path | None = None
     notes: tuple[str, ...] = ()
+    locked: Mapping[str, str] = field(default_factory=dict)
+
+    def __repr__(self) -> str:
+        """The robot in one short line."""
+        held = "".join(f", {name} = {value}" for name, value in self.locked.items())
+        joints = len(self.chain.joints)
+        return f"<Robot {self.name}: {joints} joints, {self.chain.task}{held}>"
 
 
 def parse_expectation(

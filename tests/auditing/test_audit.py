@@ -285,8 +285,8 @@ def test_limits_and_locks_are_recorded() -> None:
     half = Angle()
     joints = list(robot.chain.joints)
     joints[2] = replace(joints[2], limits=(-_quarter(), half))
-    robot = replace(robot, chain=robot.chain.with_joints(joints))
-    record = audit(robot, Options(locked={"wrist": "0"})).record()
+    chain = robot.chain.with_joints(joints)
+    record = audit(replace(robot, chain=chain, locked={"wrist": "0"})).record()
     assert record["robot"]["joint_limits"] == [None, None, [-math.pi / 2, 0.0]]
     assert record["robot"]["locked"] == {"wrist": "0"}
 

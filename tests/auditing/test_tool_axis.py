@@ -10,9 +10,9 @@ import pytest
 import cuspaudit
 from cuspaudit.auditing.audit import Audit, audit
 from cuspaudit.certificate import certificate_from_text, text_from_certificate, verify
-from cuspaudit.cli.running import page_text
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import DegenerateMapError, InvalidCertificateError
+from cuspaudit.pictures.page import page_text
 from cuspaudit.robot.chain import Chain
 from cuspaudit.robot.frames import frames
 from cuspaudit.robot.library import open_robot

@@ -12,7 +12,9 @@ from axe_playwright_python.sync_playwright import Axe
 from drawn_arms import crx_urdf
 from visits import PHONE, Visit, wait_until
 
-from cuspaudit.cli.running import certificate_text, page_text, run_audit
+from cuspaudit.auditing.certificates import certificate_text
+from cuspaudit.cli.running import run_audit
+from cuspaudit.pictures.page import page_text
 from cuspaudit.robot.library import open_robot
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
@@ -29,7 +31,7 @@ def pages(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
     sources = {"issac": "chablat-2022-3r", "crx": str(urdf), "ur5": "ur5_robot"}
     files = {}
     for name, source in sources.items():
-        result = run_audit(open_robot(source), {}, 0, None, "default")
+        result = run_audit(open_robot(source), 0, None, "default")
         html = page_text(result.record(), result, certificate_text(result))
         files[name] = folder / f"{name}.html"
         files[name].write_text(html, "utf-8")
