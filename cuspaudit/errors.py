@@ -20,6 +20,7 @@
       RetryableError           an unlucky choice: another chart, or more bits, may do
         PrecisionError
       UnableError              our limit, not mathematics: too large, too long
+        TimeLimitError         the time that was given has passed
       CrossCheckError          exact and numeric answers disagree: one has a bug
 
 A search may catch ``RetryableError``; only a decision turns ``UnableError`` into
@@ -50,6 +51,7 @@ __all__ = [
     "PrecisionError",
     "RealPartSingularError",
     "RetryableError",
+    "TimeLimitError",
     "UnableError",
     "UnsupportedJointError",
     "unforeseen",
@@ -264,6 +266,19 @@ class UnableError(CuspauditError):
         """Name the routine and the limit."""
         self.step = step
         super().__init__(f"{step}: {why}")
+
+
+class TimeLimitError(UnableError):
+    """The time that was given has passed.
+
+    Attributes:
+        seconds: the limit.
+    """
+
+    def __init__(self, step: str, seconds: float) -> None:
+        """Name the step that was not begun or not ended, and the limit."""
+        self.seconds = seconds
+        super().__init__(step, f"the time limit of {seconds:g} s has passed")
 
 
 class CrossCheckError(CuspauditError):

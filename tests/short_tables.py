@@ -6,7 +6,8 @@ from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
 
-from cuspaudit.auditing.answer import Answer, answer
+from cuspaudit.auditing.answer import Answer
+from cuspaudit.auditing.deciders.decide import answer
 from cuspaudit.kinematics.exact_model import exact_model
 from cuspaudit.robot.chain import (
     X_AXIS,

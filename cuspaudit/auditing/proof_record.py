@@ -14,7 +14,7 @@ from typing import Any
 
 import cuspaudit
 from cuspaudit.auditing.answer import Answer
-from cuspaudit.auditing.deciders.by_pigeonhole import Crowd
+from cuspaudit.auditing.evidence import Crowd
 from cuspaudit.cuspidality.pair_decision import PairDecision
 from cuspaudit.cuspidality.surface_decision import SurfaceDecision
 from cuspaudit.robot.virtual_joint import without_virtual_joint

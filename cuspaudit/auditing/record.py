@@ -40,8 +40,6 @@ class Audit:
         chain: the snapped chain, which the verdict is about.
         snapped: what distinguishes it from the robot's literal chain.
         answer: the exact answer for it.
-        verdict: the verdict.
-        witness: of a CUSPIDAL verdict; only one by ``answer.crowd`` may lack it.
         literal: the verdict for the literal chain.
         literal_witness: proves it CUSPIDAL where ``witness`` is not for that chain.
         check: the comparison with Pinocchio.
@@ -54,14 +52,22 @@ class Audit:
     chain: Chain
     snapped: tuple[Snapped, ...]
     answer: Answer
-    verdict: Verdict
-    witness: Witness | None
     literal: Verdict
     check: CrossCheck
     seconds: Mapping[str, float]
     seed: int
     policy: SnapPolicy = DEFAULT_POLICY
     literal_witness: Witness | None = None
+
+    @property
+    def verdict(self) -> Verdict:
+        """The verdict for the snapped chain."""
+        return self.answer.verdict
+
+    @property
+    def witness(self) -> Witness | None:
+        """Of a CUSPIDAL verdict; only one by ``answer.crowd`` may lack it."""
+        return self.answer.witness
 
     def record(self, certificate: str | None = None) -> dict[str, Any]:
         """The audit as JSON, schema ``cuspaudit/audit/2``.
@@ -94,7 +100,7 @@ class Audit:
             "margin": None,
             "tolerance": None,
             "crosscheck": asdict(self.check),
-            "undecided": asdict(answer.undecided) if answer.undecided else None,
+            "undecided": _undecided(answer),
             "seconds": {key: round(value, 4) for key, value in self.seconds.items()},
             "versions": versions(PACKAGES),
             "seed": self.seed,
@@ -147,7 +153,7 @@ class Audit:
             kind, rests_on = "none", []
         return {
             "kind": kind,
-            "engine": _engine(answer),
+            "engine": answer.engine,
             "reduction": answer.reduction.kind if answer.reduction else None,
             "rests_on": rests_on,
             "why": why,
@@ -199,14 +205,16 @@ def _determinant(found: Answer) -> dict[str, Any]:
     }
 
 
-def _engine(found: Answer) -> str | None:
-    if found.decision is not None:
-        return "routing" if found.confirmed else "roadmap"
-    if found.pairs is not None or found.by_pairs is not None:
-        return "pairs"
-    if found.search is not None:
-        return "search"
-    return "pigeon-hole" if found.crowd is not None else None
+def _undecided(found: Answer) -> dict[str, Any] | None:
+    """Why there is no verdict, and what the searches tried."""
+    if found.undecided is None:
+        return None
+    return {
+        **asdict(found.undecided),
+        "reason": found.undecided.reason.value,
+        "search": asdict(found.search) if found.search else None,
+        "pairs": asdict(found.pairs) if found.pairs else None,
+    }
 
 
 def _counted(name: str, count: Count | None) -> dict[str, Any]:

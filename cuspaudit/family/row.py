@@ -7,14 +7,10 @@ import time
 from contextlib import suppress
 from typing import Any
 
-from cuspaudit.auditing.answer import Answer, answer
-from cuspaudit.auditing.deciders.by_search import (
-    crowd_of,
-    needs_search,
-    searched,
-    with_crowd,
-)
-from cuspaudit.auditing.witness import Witness, find_witness
+from cuspaudit.auditing.answer import Answer
+from cuspaudit.auditing.case import Case
+from cuspaudit.auditing.deciders.certify import find_witness
+from cuspaudit.auditing.deciders.decide import decide
 from cuspaudit.count import Count
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import CuspauditError, InvalidRobotError, UnableError
@@ -24,6 +20,7 @@ from cuspaudit.family.time_limit import TimeUp, time_limit
 from cuspaudit.kinematics.exact_model import exact_model
 from cuspaudit.robot.chain import Angle, Chain
 from cuspaudit.robot.virtual_joint import with_virtual_joint
+from cuspaudit.runtime.clock import Clock
 
 __all__ = ["Row", "decide_member", "failed_member"]
 
@@ -62,11 +59,8 @@ def failed_member(family: Family, index: int, why: str) -> Row:
 
 def _decided(family: Family, index: int) -> Row:
     chain = with_virtual_joint(family.robot(index).chain)
-    found, witness = answer(exact_model(chain)), None
-    if needs_search(found):
-        crowd = crowd_of(found, family.seed)
-        found, witness = searched(found, chain, family.seed)
-        found = with_crowd(found, crowd)
+    case = Case(exact_model(chain), chain, family.seed, certify=False)
+    found = decide(case, Clock())
     counts = {
         "cusps": found.cusps,
         "nodes": found.nodes,
@@ -81,14 +75,14 @@ def _decided(family: Family, index: int) -> Row:
     }
     row |= {name: _proved(counts[name]) for name in family.record if name in counts}
     if "clearance" in family.record:
-        row["clearance"] = _clearance(found, witness, chain)
+        row["clearance"] = _clearance(found, chain)
     return row
 
 
 def _proof(found: Answer) -> str:
     if found.verdict is Verdict.UNDECIDED:
         return "none"
-    if found.search is not None:
+    if found.witness is not None:
         return "witness"
     return "exact" if found.reduction is None else "reduction"
 
@@ -97,11 +91,11 @@ def _proved(count: Count | None) -> int | None:
     return count.count if count is not None and count.proved else None
 
 
-def _clearance(found: Answer, witness: Witness | None, chain: Chain) -> float | None:
+def _clearance(found: Answer, chain: Chain) -> float | None:
     """The clearance of a certified witness; None where there is none."""
-    if witness is not None:
-        return witness.clearance
-    if found.verdict is not Verdict.CUSPIDAL or found.decision is None:
+    if found.witness is not None:
+        return found.witness.clearance
+    if found.verdict is not Verdict.CUSPIDAL or not found.is_exact_run:
         return None
     try:
         return find_witness(found, chain).clearance

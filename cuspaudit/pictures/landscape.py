@@ -15,8 +15,8 @@ from fractions import Fraction
 import numpy as np
 from numpy.typing import NDArray
 
-from cuspaudit.auditing.answer import answer
 from cuspaudit.auditing.audit import Audit, Options, audit
+from cuspaudit.auditing.deciders.decide import answer
 from cuspaudit.auditing.search.aspect_routing import AspectRouting, route_aspects
 from cuspaudit.kinematics.exact_model import exact_model
 from cuspaudit.pictures.figures import Figures, figures

@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 from short_tables import Number, arm, ask, numbers, with_wrist
 
-from cuspaudit.auditing.answer import answer
+from cuspaudit.auditing.deciders.decide import answer
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import DegenerateMapError, PrecisionError, UnableError
 from cuspaudit.kinematics.exact_model import exact_model

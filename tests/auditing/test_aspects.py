@@ -6,9 +6,9 @@ import pytest
 from flint import arb
 from short_tables import Number, arm
 
-from cuspaudit.auditing.answer import answer
 from cuspaudit.auditing.aspects import aspect_components, count_aspects
 from cuspaudit.auditing.audit import Options, audit
+from cuspaudit.auditing.deciders.decide import answer
 from cuspaudit.errors import UnableError
 from cuspaudit.kinematics.exact_model import ExactModel, exact_model
 from cuspaudit.robot.frames import angle_value

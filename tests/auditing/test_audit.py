@@ -24,7 +24,7 @@ from cuspaudit.robot.chain import X_AXIS, Angle, Rotation
 from cuspaudit.robot.library import open_robot
 from cuspaudit.robot.robot import Robot
 
-module = import_module("cuspaudit.auditing.audit")
+module = import_module("cuspaudit.auditing.deciders.certify")
 #: the keys of INTERFACE, "The audit as JSON"; each is always there
 KEYS: dict[str, set[str]] = {
     "": {

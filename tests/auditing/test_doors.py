@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from cuspaudit.auditing.answer import answer
 from cuspaudit.auditing.audit import Options, audit
+from cuspaudit.auditing.deciders.decide import answer
 from cuspaudit.kinematics.exact_model import exact_model
 from cuspaudit.robot.chain import Chain
 from cuspaudit.robot.formats.dh.write import table_text

@@ -12,8 +12,8 @@ import pytest
 from short_tables import arm, ask, with_wrist
 
 import cuspaudit
-from cuspaudit.auditing.answer import answer
 from cuspaudit.auditing.audit import Options, audit
+from cuspaudit.auditing.deciders.decide import answer
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import CrossCheckError
 from cuspaudit.kinematics.exact_model import exact_model
@@ -22,7 +22,7 @@ from cuspaudit.robot.library import open_robot
 FILE = Path(cuspaudit.__file__).parent / "auditing" / "schema.json"
 SCHEMA = json.loads(FILE.read_text())
 ROUTING = Options(engine="routing")
-module = import_module("cuspaudit.auditing.answer")
+module = import_module("cuspaudit.auditing.deciders.three_joints")
 
 
 @pytest.mark.slow

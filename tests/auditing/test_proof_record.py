@@ -5,7 +5,7 @@ from typing import Any
 
 import pytest
 
-from cuspaudit.auditing.answer import answer
+from cuspaudit.auditing.deciders.decide import answer
 from cuspaudit.auditing.proof_record import SCHEMA, proof_record
 from cuspaudit.kinematics.exact_model import exact_model
 from cuspaudit.robot.library import open_robot

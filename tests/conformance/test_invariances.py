@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from short_tables import arm, ask, degrees, numbers, shift
 
 from cuspaudit.auditing.answer import Answer
-from cuspaudit.auditing.witness import find_witness
+from cuspaudit.auditing.deciders.certify import find_witness
 from cuspaudit.certificate import verify
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import DegenerateMapError

@@ -16,7 +16,7 @@ from cuspaudit.algebra.numeric import numeric_values
 from cuspaudit.algebra.ring import Polynomial
 from cuspaudit.algebra.ring import rational as flint_rational
 from cuspaudit.auditing.answer import Answer
-from cuspaudit.auditing.witness import find_witness
+from cuspaudit.auditing.deciders.certify import find_witness
 from cuspaudit.cuspidality.surface_path import posture_angles
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.geometry.crit import crit

@@ -12,9 +12,10 @@ from short_tables import Number, arm, ask, numbers, shift, with_wrist
 
 from cuspaudit.algebra.numeric import NumericPolynomial
 from cuspaudit.algebra.trigonometric import factor_on_circles
+from cuspaudit.auditing.answer import Reason
 from cuspaudit.auditing.crosscheck.singular_postures import model_points
-from cuspaudit.auditing.deciders.by_search import needs_search, search_witness
-from cuspaudit.auditing.witness import find_witness
+from cuspaudit.auditing.deciders.by_search import search_witness
+from cuspaudit.auditing.deciders.certify import find_witness
 from cuspaudit.certificate import verify
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import DegenerateMapError
@@ -119,7 +120,7 @@ def test_a_stiff_wrist_on_a_cuspidal_arm_is_undecided(twists: Row) -> None:
     """It may reach too few orientations for a couple: nothing is claimed."""
     found = ask(with_wrist(arm(*CUSPIDAL_3R[0]), twists))
     assert found.verdict is Verdict.UNDECIDED
-    assert needs_search(found)
+    assert found.is_open_for(Reason.NO_THEOREM)
 
 
 def test_reversing_an_arm_keeps_everything() -> None:

@@ -8,7 +8,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from cuspaudit.auditing.answer import Answer, answer
+from cuspaudit.auditing.answer import Answer
+from cuspaudit.auditing.deciders.decide import answer
 from cuspaudit.count import Count
 from cuspaudit.errors import CrossCheckError, InvalidInputError, UnableError
 from cuspaudit.kinematics.exact_model import exact_model

@@ -5,7 +5,8 @@ from functools import cache
 import numpy as np
 import pytest
 
-from cuspaudit.auditing.answer import Answer, answer
+from cuspaudit.auditing.answer import Answer
+from cuspaudit.auditing.deciders.decide import answer
 from cuspaudit.kinematics.exact_model import exact_model
 from cuspaudit.pictures.postures import shown_postures
 from cuspaudit.robot.frames import frames

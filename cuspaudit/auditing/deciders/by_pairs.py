@@ -6,77 +6,57 @@ from dataclasses import replace
 
 import numpy as np
 
-from cuspaudit.auditing.answer import Answer, Progress, Undecided
-from cuspaudit.auditing.aspects import count_aspects
+from cuspaudit.auditing.answer import Answer, Reason
+from cuspaudit.auditing.case import Case
+from cuspaudit.auditing.evidence import PairMaximum, PairRecord
 from cuspaudit.auditing.search.aspect_routing import AspectRouting, route_aspects
 from cuspaudit.auditing.search.lift import close
-from cuspaudit.auditing.search.pair_maxima import PairMaximum, PairRecord, pair_maxima
+from cuspaudit.auditing.search.pair_maxima import pair_maxima
 from cuspaudit.auditing.witness import Witness, certified
 from cuspaudit.cuspidality.verdict import Verdict
-from cuspaudit.errors import DegenerateMapError, RetryableError
+from cuspaudit.errors import RetryableError, UnableError
 from cuspaudit.kinematics.exact_model import ExactModel
-from cuspaudit.kinematics.polynomial_map import jacobian_determinant
 from cuspaudit.robot.chain import Chain
 from cuspaudit.robot.frames import jacobian
+from cuspaudit.runtime.clock import Clock
 
-__all__ = ["needs_pairs", "not_asked", "searched_pairs"]
+__all__ = ["by_pair_maxima"]
 
 _TRIES = 4
 
 
-def not_asked(model: ExactModel) -> Answer:
-    """The answer before the pairs of an arm have been looked at.
-
-    Raises:
-        DegenerateMapError: det J vanishes identically.
-    """
-    if jacobian_determinant(model) == 0:
-        raise DegenerateMapError("det J vanishes at every posture")
-    why = "pairs prove no arm noncuspidal that does not reduce to three joints"
-    settle = "another engine, or a proof that no maximum over pairs was missed"
-    reason = Undecided("pairs", why, (), settle)
-    aspects = count_aspects(model)
-    return Answer(model, Verdict.UNDECIDED, why, aspects=aspects, undecided=reason)
-
-
-def needs_pairs(found: Answer) -> bool:
-    """Whether this arm is undecided, and pairs may tell more."""
-    undecided, chain = found.undecided, found.model.chain
-    return (
-        undecided is not None
-        and undecided.step in ("reductions", "pairs")
-        and "prismatic" not in chain.kinds
-        and chain.task in ("position", "pose")
-    )
-
-
-def searched_pairs(
-    found: Answer, literal: Chain, seed: int, progress: Progress
-) -> tuple[Answer, Witness | None]:
+def by_pair_maxima(case: Case, clock: Clock) -> Answer | None:
     """CUSPIDAL with a witness proved along a maximum over pairs, or what was met.
 
-    Args:
-        found: an answer that `needs_pairs`.
-        literal: the chain as the file has it; the witness is for it, or else for the
-            chain of the model.
-        seed: of every random choice.
-        progress: called with each step; an UnableError it raises ends the search.
+    The witness is for the literal chain, or else for the chain of the model. None
+    where the time was up, or floating point failed, before anything was met.
     """
-    assert found.undecided is not None
-    record = pair_maxima(found.model, seed, progress)
-    witness = _proved(found.model, literal, record) if record.together else None
+    found, chain = case.so_far, case.model.chain
+    if found is None:
+        return None
+    asked = (Reason.OUT_OF_REACH,) if case.engine == "pairs" else ()
+    if not found.is_open_for(Reason.NO_THEOREM, Reason.PAIRS_ASKED, *asked):
+        return None
+    if "prismatic" in chain.kinds or chain.task not in ("position", "pose"):
+        return None
+    try:
+        record = pair_maxima(case.model, case.seed, clock.step)
+        together = record.together > 0
+        witness = _proved(case.model, case.literal, record) if together else None
+    except UnableError:
+        return None
     if witness is None:
-        why = f"{found.undecided.why}; {_sentence(record)}"
-        reason = replace(found.undecided, why=why, pairs=record)
-        return replace(found, why=why, undecided=reason), None
-    cuspidal = replace(
+        return found.still_open(f"; {_sentence(record)}", pairs=record)
+    return replace(
         found,
         verdict=Verdict.CUSPIDAL,
         why=_sentence(record),
+        rests_on=("ball arithmetic",),
+        engine="pairs",
+        witness=witness,
         undecided=None,
         pairs=record,
     )
-    return cuspidal, witness
 
 
 def _sentence(record: PairRecord) -> str:

@@ -7,13 +7,11 @@ searched, and none is given. Which pose to look at is proposed in floating point
 
 from __future__ import annotations
 
-import math
 from collections import Counter
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import replace
 from fractions import Fraction
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,83 +19,68 @@ from numpy.typing import NDArray
 from cuspaudit.algebra.parametrization import RealPoint
 from cuspaudit.algebra.ring import Rational, rational
 from cuspaudit.algebra.univariate import PRECISIONS
+from cuspaudit.auditing.answer import Answer, Reason
 from cuspaudit.auditing.aspects import aspect_components
-from cuspaudit.errors import AssumptionError, PrecisionError, RetryableError
+from cuspaudit.auditing.case import Case
+from cuspaudit.auditing.evidence import Crowd, Label
+from cuspaudit.count import Count
+from cuspaudit.cuspidality.verdict import Verdict
+from cuspaudit.errors import (
+    AssumptionError,
+    PrecisionError,
+    RetryableError,
+    UnableError,
+)
 from cuspaudit.geometry.torus.components import TorusComponents
 from cuspaudit.kinematics.exact_model import ExactModel, circle_names
 from cuspaudit.kinematics.postures.exact import exact_postures, real_postures
 from cuspaudit.kinematics.postures.numeric import PostureSolver
 from cuspaudit.robot.frames import angle_value
+from cuspaudit.runtime.clock import Clock
 
-__all__ = ["Crowd", "crowded_aspects", "crowded_pose", "postures_by_aspect"]
+__all__ = [
+    "by_pigeonhole",
+    "crowded_aspects",
+    "crowded_pose",
+    "postures_by_aspect",
+]
 
 Array = NDArray[np.float64]
-Label = tuple[int, ...]
 
 _POSES = 64
 _EXACT = 8
 _PARTS = 32
-_BITS = 64
 
 
-@dataclass(frozen=True, eq=False)
-class Crowd:
-    """A pose with two postures in one aspect: a proof that its arm is cuspidal.
+def by_pigeonhole(case: Case, clock: Clock) -> Answer | None:
+    """CUSPIDAL by a pose with two postures in one aspect, exactly; no path is given.
 
-    Attributes:
-        model: the arm.
-        tangents: tan(theta_i / 2) of a posture of the pose, which fixes it exactly;
-            theta_i is the value of joint i and its zero in the model.
-        aspects: all postures of the pose, by the label of the aspect they lie in.
-        grounds: what the list of postures, and the aspects, rest on.
+    A model that only comes near the arm is not asked: it would speak of another arm.
     """
-
-    model: ExactModel
-    tangents: tuple[Rational, ...]
-    aspects: dict[Label, list[RealPoint]]
-    grounds: tuple[str, ...]
-
-    @property
-    def postures(self) -> list[list[float]]:
-        """Two postures in one aspect, joint values in rad, rounded."""
-        shared = max(self.aspects.values(), key=len)
-        return [self._angles(posture)[: self._joints] for posture in shared[:2]]
-
-    @property
-    def _joints(self) -> int:
-        """The number of joints that a motor moves; they come first."""
-        return sum(not joint.is_virtual for joint in self.model.chain.joints)
-
-    def _angles(self, posture: RealPoint) -> list[float]:
-        ball = posture.ball(_BITS)
-        joints = zip(circle_names(self.model), self.model.joints, strict=True)
-        angles = [
-            math.atan2(ball[s].mid(), ball[c].mid()) - angle_value(joint.zero)
-            for (c, s), joint in joints
-        ]
-        return [float(np.remainder(a + np.pi, 2 * np.pi) - np.pi) for a in angles]
-
-    def sentence(self) -> str:
-        """What is proved, in one sentence."""
-        count = sum(map(len, self.aspects.values()))
-        shared = max(map(len, self.aspects.values()))
-        first, second = (
-            "(" + ", ".join(f"{angle:.4f}" for angle in posture) + ")"
-            for posture in self.postures
-        )
-        return (
-            f"of the {count} postures of one pose {shared} lie in one aspect, {first} "
-            f"and {second} rad among them"
-        )
-
-    def record(self) -> dict[str, Any]:
-        """The pose and the two postures, for the JSON of an audit."""
-        return {
-            "half_angle_tangents": [str(t) for t in self.tangents[: self._joints]],
-            "count": sum(map(len, self.aspects.values())),
-            "in_one_aspect": max(map(len, self.aspects.values())),
-            "postures": self.postures,
-        }
+    found, chain = case.so_far, case.model.chain
+    if found is None or not found.is_open_for(Reason.NO_THEOREM):
+        return None
+    if chain.task != "pose" or chain.kinds != ("revolute",) * 6:
+        return None
+    if not case.model.is_exact:
+        return None
+    try:
+        clock.step("pigeon-hole")
+        crowd = crowded_pose(case.model, case.seed)
+    except UnableError:
+        return None
+    if crowd is None:
+        return None
+    return replace(
+        found,
+        verdict=Verdict.CUSPIDAL,
+        why=f"{crowd.sentence()}; no path between them was proved",
+        rests_on=crowd.grounds,
+        engine="pigeon-hole",
+        postures=found.more_postures(Count(crowd.count, False)),
+        crowd=crowd,
+        undecided=None,
+    )
 
 
 def crowded_pose(

@@ -1,35 +1,22 @@
-"""A six-joint arm that no theorem decides: its witness, searched for, then proved.
-
-Two postures of one pose in one aspect prove it cuspidal too, without a path.
-"""
+"""A six-joint arm that no theorem decides: its witness, searched for, then proved."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-from cuspaudit.auditing.answer import Answer, Progress
-from cuspaudit.auditing.deciders.by_pigeonhole import Crowd, crowded_pose
+from cuspaudit.auditing.answer import Answer, Reason
+from cuspaudit.auditing.case import MOST_POSES, Case
+from cuspaudit.auditing.evidence import SearchRecord
 from cuspaudit.auditing.search.lift import close
-from cuspaudit.auditing.search.six_joints import SearchRecord, search
+from cuspaudit.auditing.search.six_joints import search
 from cuspaudit.auditing.witness import Witness, certified
 from cuspaudit.count import Count
 from cuspaudit.cuspidality.verdict import Verdict
-from cuspaudit.errors import RetryableError, UnableError
+from cuspaudit.errors import RetryableError
 from cuspaudit.robot.chain import Chain
+from cuspaudit.runtime.clock import Clock, Progress
 
-__all__ = [
-    "HAIR_POSES",
-    "Searched",
-    "crowd_of",
-    "needs_search",
-    "search_witness",
-    "searched",
-    "with_crowd",
-]
-
-MOST = 192
-HAIR_POSES = 64
-"""Random poses for an arm that rounding alone may have made cuspidal."""
+__all__ = ["Searched", "by_search", "search_witness"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -49,101 +36,46 @@ class Searched:
     largest: float
 
 
-def needs_search(found: Answer) -> bool:
-    """Whether no theorem decided this six-joint arm."""
-    undecided, chain = found.undecided, found.model.chain
-    return (
-        undecided is not None
-        and undecided.step == "reductions"
-        and chain.task == "pose"
-        and chain.kinds == ("revolute",) * 6
-    )
+def by_search(case: Case, clock: Clock) -> Answer | None:
+    """CUSPIDAL with a witness proved for the model's numbers, or what was tried.
 
-
-def crowd_of(
-    found: Answer, seed: int = 0, progress: Progress = lambda step: None
-) -> Crowd | None:
-    """A pose with two postures in one aspect, exactly; None when none was met.
-
-    A model that only comes near the arm is not asked: it would speak of another arm.
-
-    Args:
-        found: an answer that `needs_search`.
-        seed: of the poses looked at.
-        progress: called with the step.
+    The witness is for the literal chain where the same path is one, else for the chain
+    of the model.
     """
-    if not found.model.is_exact:
+    found, chain = case.so_far, case.model.chain
+    if found is None or not found.is_open_for(Reason.NO_THEOREM):
         return None
-    try:
-        progress("pigeon-hole")
-        return crowded_pose(found.model, seed)
-    except UnableError:
+    if chain.task != "pose" or chain.kinds != ("revolute",) * 6:
         return None
-
-
-def with_crowd(found: Answer, crowd: Crowd | None) -> Answer:
-    """The answer with the pose that proves it; CUSPIDAL by it if it was undecided."""
-    if crowd is None:
-        return found
-    found = replace(found, crowd=crowd)
-    if found.verdict is Verdict.CUSPIDAL:
-        return found
+    result = search_witness(chain, case.seed, clock.step, case.poses)
+    record, witness = result.record, result.witness
+    postures = found.more_postures(_postures(record))
+    if witness is None:
+        why = ", and no witness was met in a search"
+        return found.still_open(why, search=record, postures=postures)
+    why = f"a search met it in {record.poses} random poses"
+    if chain != case.literal:
+        other = _same_path(witness, case.literal, result.largest)
+        witness = other or witness
+        why += ", and proved it for the snapped numbers" if other else ""
     return replace(
         found,
         verdict=Verdict.CUSPIDAL,
-        why=f"{crowd.sentence()}; no path between them was proved",
-        rests_on=crowd.grounds,
-        undecided=None,
-    )
-
-
-def searched(
-    found: Answer,
-    literal: Chain,
-    seed: int = 0,
-    progress: Progress = lambda step: None,
-    most: int = MOST,
-) -> tuple[Answer, Witness | None]:
-    """CUSPIDAL with a witness proved for the model's numbers, or what was tried.
-
-    Args:
-        found: an answer that `needs_search`.
-        literal: the chain as the file has it. The witness returned is for it where
-            the same path is one, else for the chain of the model.
-        seed: of every random choice.
-        progress: called with each step; an UnableError it raises ends the search.
-        most: random poses to be tried.
-    """
-    assert found.undecided is not None
-    chain = found.model.chain
-    result = search_witness(chain, seed, progress, most)
-    if result.witness is None:
-        why = f"{found.undecided.why}, and no witness was met in a search"
-        reason = replace(found.undecided, why=why, search=result.record)
-        postures = _postures(result.record)
-        return replace(found, why=why, postures=postures, undecided=reason), None
-    why = f"a search met it in {result.record.poses} random poses"
-    witness = result.witness
-    if chain != literal:
-        other = _same_path(witness, literal, result.largest)
-        witness = other or witness
-        why += ", and proved it for the snapped numbers" if other else ""
-    cuspidal = replace(
-        found,
-        verdict=Verdict.CUSPIDAL,
         why=why,
-        postures=_postures(result.record),
+        rests_on=("ball arithmetic",),
+        engine="search",
+        witness=witness,
+        postures=postures,
         undecided=None,
-        search=result.record,
+        search=record,
     )
-    return cuspidal, witness
 
 
 def search_witness(
     chain: Chain,
     seed: int = 0,
     progress: Progress = lambda step: None,
-    most: int = MOST,
+    most: int = MOST_POSES,
 ) -> Searched:
     """Search, and prove the widest path that can be proved.
 

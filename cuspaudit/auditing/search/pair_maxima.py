@@ -11,12 +11,12 @@ ends in one aspect proposes a witness, and its certificate proves it. For three 
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from cuspaudit.auditing.aspects import aspect_components
+from cuspaudit.auditing.evidence import PairMaximum, PairRecord
 from cuspaudit.auditing.search.aspect_routing import AspectRouting, route_aspects
 from cuspaudit.auditing.search.pair_space import Maxima, PairSpace, separation, shortest
 from cuspaudit.errors import UnableError
@@ -25,7 +25,7 @@ from cuspaudit.kinematics.exact_model import ExactModel, revolute_circles
 from cuspaudit.kinematics.polynomial_map import jacobian_determinant
 from cuspaudit.robot.frames import angle_value
 
-__all__ = ["PairMaximum", "PairRecord", "pair_maxima"]
+__all__ = ["pair_maxima"]
 
 Array = NDArray[np.float64]
 Judge = Callable[[Array, Array], bool]
@@ -34,50 +34,6 @@ STARTS = 512
 _ROUNDS = 3
 _EQUAL = 1e-3
 PROVED, ROUTED = "exact labels", "ascents of |det J|"
-
-
-@dataclass(frozen=True)
-class PairMaximum:
-    """A local maximum of |det J| at both ends of a pair, multiplied.
-
-    Attributes:
-        postures: the two ends, joint values; first and last joint are as they were met.
-        sign: of det J at both.
-        level: |h h'| over the square of the largest |h| met, in [0, 1].
-        found: how many ascents ended here.
-        together: whether both ends lie in one aspect.
-    """
-
-    postures: tuple[tuple[float, ...], tuple[float, ...]]
-    sign: int
-    level: float
-    found: int
-    together: bool
-
-
-@dataclass(frozen=True)
-class PairRecord:
-    """What a search over pairs met; evidence, not proof.
-
-    Attributes:
-        pairs: seeded pairs with one sign of det J.
-        lost: how many ascents from them did not settle at a maximum.
-        maxima: the distinct ones, up to the order of the ends, the highest first.
-        missed: Good-Turing estimate of the chance that one more ascent ends at a
-            maximum that was not met: those met once over all ascents; None without any.
-        together: how many maxima have both ends in one aspect.
-        aspects: how the aspect of an end was told, "exact labels" or, in floating
-            point, "ascents of |det J|".
-        seed: of the random pairs.
-    """
-
-    pairs: int
-    lost: int
-    maxima: tuple[PairMaximum, ...]
-    missed: float | None
-    together: int
-    aspects: str
-    seed: int
 
 
 def pair_maxima(

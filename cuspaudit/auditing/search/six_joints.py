@@ -16,6 +16,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
+from cuspaudit.auditing.evidence import SearchRecord
 from cuspaudit.auditing.search.torus_determinant import TorusDeterminant
 from cuspaudit.auditing.search.torus_path import ascents, height_of, straight, tidy
 from cuspaudit.auditing.search.torus_ridge import Ridge, critical_points
@@ -23,7 +24,7 @@ from cuspaudit.errors import UnableError
 from cuspaudit.kinematics.postures.numeric import PostureSolver, is_even
 from cuspaudit.robot.chain import Chain
 
-__all__ = ["Proposal", "Search", "SearchRecord", "search"]
+__all__ = ["Proposal", "Search", "search"]
 
 Array = NDArray[np.float64]
 Index = NDArray[np.int64]
@@ -36,32 +37,6 @@ _CLIMBS = 64
 _CLIMBED = 8
 _KEPT = 5
 _ROUNDING = 1e-9
-
-
-@dataclass(frozen=True)
-class SearchRecord:
-    """What a search tried.
-
-    Attributes:
-        poses: number of random poses.
-        postures: how many poses had so many postures.
-        uneven: poses of which a posture was certainly lost.
-        pairs: couples of one pose with one sign of det J.
-        joined: how many of them a path joins on which no sample is singular; such a
-            path may still jump through a crossing of the singular set.
-        clearance: of the widest of these paths, smallest over largest |det J|, sampled.
-        seed: of every random choice.
-        stopped: why it ended early, or None.
-    """
-
-    poses: int
-    postures: dict[str, int]
-    uneven: int
-    pairs: int
-    joined: int
-    clearance: float
-    seed: int
-    stopped: str | None = None
 
 
 @dataclass(frozen=True, eq=False)

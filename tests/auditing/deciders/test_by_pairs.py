@@ -12,8 +12,11 @@ import pytest
 from short_tables import arm, ask, with_wrist
 
 import cuspaudit
+from cuspaudit.auditing.answer import Answer, Reason, undecided
 from cuspaudit.auditing.audit import audit
-from cuspaudit.auditing.deciders.by_pairs import needs_pairs, not_asked, searched_pairs
+from cuspaudit.auditing.case import Case
+from cuspaudit.auditing.deciders.by_pairs import by_pair_maxima
+from cuspaudit.auditing.deciders.decide import answer
 from cuspaudit.certificate import verify
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import DegenerateMapError, UnableError
@@ -22,6 +25,7 @@ from cuspaudit.robot.chain import Chain
 from cuspaudit.robot.frames import frames
 from cuspaudit.robot.library import open_robot
 from cuspaudit.robot.snapping import snap
+from cuspaudit.runtime.clock import Clock
 
 FILE = Path(cuspaudit.__file__).parent / "auditing" / "schema.json"
 SCHEMA = json.loads(FILE.read_text())
@@ -32,6 +36,13 @@ def chain_of(name: str) -> Chain:
     return snap(open_robot(name).chain)[0]
 
 
+def case_of(chain: Chain, so_far: Answer | None = None) -> Case:
+    """A case of which nothing is known, and pairs were asked for."""
+    model = exact_model(chain)
+    unknown = undecided(model, Reason.PAIRS_ASKED, "pairs", "test", (), "pairs")
+    return Case(model, chain, so_far=so_far or unknown)
+
+
 @pytest.mark.parametrize(
     "name",
     ["chablat-2022-3r", pytest.param("ufactory-xarm6", marks=pytest.mark.slow)],
@@ -39,10 +50,11 @@ def chain_of(name: str) -> Chain:
 def test_a_maximum_within_an_aspect_leads_to_a_witness(name: str) -> None:
     """Both ends in one aspect: the widest way between them is certified."""
     chain = chain_of(name)
-    found, witness = searched_pairs(
-        not_asked(exact_model(chain)), chain, 0, lambda step: None
-    )
+    found = by_pair_maxima(case_of(chain), Clock())
+    assert found is not None
+    witness = found.witness
     assert found.verdict is Verdict.CUSPIDAL
+    assert found.engine == "pairs"
     assert found.undecided is None
     assert witness is not None
     assert verify(witness.certificate).accepted
@@ -58,40 +70,39 @@ def test_a_noncuspidal_arm_stays_undecided(name: str) -> None:
     """Evidence is no proof: the verdict is undecided, and says what was met."""
     chain = chain_of(name)
     assert ask(chain).verdict is Verdict.NONCUSPIDAL
-    found, witness = searched_pairs(
-        not_asked(exact_model(chain)), chain, 0, lambda step: None
-    )
-    assert witness is None
+    found = by_pair_maxima(case_of(chain), Clock())
+    assert found is not None
+    assert found.witness is None
     assert found.verdict is Verdict.UNDECIDED
     assert found.undecided is not None
-    assert found.undecided.pairs is not None
-    assert found.undecided.pairs.together == 0
-    assert found.undecided.pairs.missed in (0.0, None)
+    assert found.pairs is not None
+    assert found.pairs.together == 0
+    assert found.pairs.missed in (0.0, None)
 
 
 def test_only_what_is_undecided_is_looked_at() -> None:
     """A decided arm, and one with a sliding joint, need no pairs."""
-    assert not needs_pairs(ask(chain_of("chablat-2022-3r")))
-    assert needs_pairs(not_asked(exact_model(chain_of("chablat-2022-3r"))))
+    chain = chain_of("chablat-2022-3r")
+    assert by_pair_maxima(case_of(chain, ask(chain)), Clock()) is None
     sliding = arm((1, 2, 1), (0, 1, 0), (90, 60, 0), "RRP")
-    assert not needs_pairs(ask(sliding))
+    assert by_pair_maxima(case_of(sliding), Clock()) is None
 
 
 def test_an_arm_without_rank_is_refused() -> None:
     """A determinant that vanishes everywhere leaves no pair to look at."""
+    flat = arm((1,) * 6, (0,) * 6, (0,) * 6)
     with pytest.raises(DegenerateMapError):
-        not_asked(exact_model(arm((1, 2, 1), (0, 1, 0), (0, 0, 0))))
+        answer(exact_model(flat), engine="pairs")
 
 
 def test_a_late_search_says_nothing() -> None:
-    """A time that is up before the first round is an error, not an answer."""
+    """A time that is up before the first round leaves what was known."""
 
     def late(step: str) -> None:
         raise UnableError(step, "the time limit has passed")
 
     chain = chain_of("puma-560-arm")
-    with pytest.raises(UnableError):
-        searched_pairs(not_asked(exact_model(chain)), chain, 0, late)
+    assert by_pair_maxima(case_of(chain), Clock(progress=late)) is None
 
 
 @pytest.mark.slow

@@ -12,20 +12,27 @@ from flint import fmpq
 
 import cuspaudit
 from cuspaudit.algebra.ring import rational
-from cuspaudit.auditing.answer import answer
+from cuspaudit.auditing.answer import Reason
 from cuspaudit.auditing.aspects import count_aspects
 from cuspaudit.auditing.audit import audit
+from cuspaudit.auditing.case import Case
+from cuspaudit.auditing.deciders.by_pairs import by_pair_maxima
 from cuspaudit.auditing.deciders.by_pigeonhole import (
+    by_pigeonhole,
     crowded_aspects,
     crowded_pose,
     postures_by_aspect,
 )
-from cuspaudit.auditing.deciders.by_search import crowd_of, needs_search
+from cuspaudit.auditing.deciders.by_search import by_search
+from cuspaudit.auditing.deciders.decide import answer, decide
+from cuspaudit.auditing.deciders.ways import EXACT, WAYS, Way
 from cuspaudit.auditing.proof_record import proof_record
+from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import UnableError
 from cuspaudit.kinematics.exact_model import ExactModel, exact_model
 from cuspaudit.robot.frames import angle_value, frames, jacobian
 from cuspaudit.robot.library import open_robot
+from cuspaudit.runtime.clock import Clock
 
 module = import_module("cuspaudit.auditing.audit")
 SCHEMA = Path(cuspaudit.__file__).parent / "auditing" / "schema.json"
@@ -93,8 +100,10 @@ def test_a_crowded_aspect_decides_where_no_path_is_proved(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """CUSPIDAL, exact, with the pose and two postures named, and no certificate."""
-    monkeypatch.setattr(module, "searched", lambda found, *rest: (found, None))
-    monkeypatch.setattr(module, "needs_pairs", lambda found: False)
+    nothing = [way for way in WAYS if way.decide not in (by_search, by_pair_maxima)]
+    monkeypatch.setattr(
+        module, "decide", lambda case, clock, ways=nothing: decide(case, clock, ways)
+    )
     robot = open_robot("fanuc-crx-10ia-l")
     found = audit(robot)
     record = json.loads(json.dumps(found.record(), allow_nan=False))
@@ -119,7 +128,13 @@ def test_a_crowded_aspect_decides_where_no_path_is_proved(
 
 def test_a_model_near_the_arm_is_no_ground() -> None:
     """The JACO's twists of 55 deg are rational points: its model is another arm."""
-    found = answer(model_of("kinova-jaco-gen2"))
-    assert needs_search(found)
-    assert crowd_of(found) is None
-    assert crowd_of(answer(model_of("fanuc-crx-10ia-l"))) is not None
+    ways = (*EXACT, Way("search", by_pigeonhole))
+    for name, verdict in (
+        ("kinova-jaco-gen2", Verdict.UNDECIDED),
+        ("fanuc-crx-10ia-l", Verdict.CUSPIDAL),
+    ):
+        model = model_of(name)
+        found = decide(Case(model, model.chain), Clock(), ways)
+        assert found.verdict is verdict
+        assert (found.crowd is None) == (verdict is Verdict.UNDECIDED)
+        assert answer(model).is_open_for(Reason.NO_THEOREM)

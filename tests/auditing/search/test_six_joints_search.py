@@ -8,14 +8,18 @@ import pytest
 from short_tables import arm, ask, with_wrist
 
 import cuspaudit
-from cuspaudit.auditing.deciders.by_search import needs_search, search_witness, searched
+from cuspaudit.auditing.answer import Reason
+from cuspaudit.auditing.case import Case
+from cuspaudit.auditing.deciders.by_search import by_search, search_witness
 from cuspaudit.auditing.search.six_joints import Search, search
 from cuspaudit.certificate import verify
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import UnableError
+from cuspaudit.kinematics.exact_model import exact_model
 from cuspaudit.robot.chain import Chain
 from cuspaudit.robot.formats.read_robot import read_robot
 from cuspaudit.robot.frames import frames
+from cuspaudit.runtime.clock import Clock
 
 ROBOTS = Path(cuspaudit.__file__).parents[1] / "robots"
 UR5 = arm(
@@ -77,9 +81,12 @@ def test_a_searched_arm_is_cuspidal_with_its_certificate() -> None:
     """The JACO Gen2: UNDECIDED by the theorems, CUSPIDAL by a witness that verifies."""
     chain = chain_of("kinova-jaco-gen2")
     before = ask(chain)
-    assert needs_search(before)
-    after, witness = searched(before, chain, 0, lambda step: None)
+    assert before.is_open_for(Reason.NO_THEOREM)
+    after = by_search(Case(exact_model(chain), chain, so_far=before), Clock())
+    assert after is not None
+    witness = after.witness
     assert after.verdict is Verdict.CUSPIDAL
+    assert after.engine == "search"
     assert after.undecided is None
     assert witness is not None
     assert verify(witness.certificate).accepted
@@ -122,5 +129,8 @@ def test_a_search_ends_when_time_is_up() -> None:
 
 def test_decided_arms_are_not_searched() -> None:
     """A theorem is enough, and three joints have Algorithm 1."""
-    assert not needs_search(ask(UR5))
-    assert not needs_search(ask(CUSPIDAL_3R))
+    for chain in (UR5, CUSPIDAL_3R):
+        found = ask(chain)
+        assert not found.is_open_for(Reason.NO_THEOREM)
+        case = Case(exact_model(chain), chain, so_far=found)
+        assert by_search(case, Clock()) is None

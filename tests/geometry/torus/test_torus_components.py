@@ -11,7 +11,7 @@ from surfaces import Array, road_of
 from cuspaudit.algebra.numeric import NumericPolynomial
 from cuspaudit.algebra.ring import Polynomial, Ring
 from cuspaudit.algebra.system import PolynomialSystem
-from cuspaudit.auditing.answer import answer
+from cuspaudit.auditing.deciders.decide import answer
 from cuspaudit.errors import DegenerateMapError, UnableError
 from cuspaudit.geometry.torus.components import TorusComponents, torus_components
 from cuspaudit.kinematics.exact_model import exact_model

@@ -7,9 +7,10 @@ import numpy as np
 import pytest
 from short_tables import Number, arm, ask, degrees, with_wrist
 
-from cuspaudit.auditing import witness as module
 from cuspaudit.auditing.answer import Answer
-from cuspaudit.auditing.witness import Witness, certificate_of, find_witness
+from cuspaudit.auditing.deciders import certify as module
+from cuspaudit.auditing.deciders.certify import find_witness
+from cuspaudit.auditing.witness import Witness, certificate_of
 from cuspaudit.certificate import (
     certificate_from_text,
     text_from_certificate,

@@ -1,0 +1,39 @@
+"""What is to be decided: one arm, and how it is asked."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from cuspaudit.auditing.answer import Answer
+from cuspaudit.kinematics.exact_model import ExactModel
+from cuspaudit.robot.chain import Chain
+
+__all__ = ["HAIR_POSES", "MOST_POSES", "Case"]
+
+MOST_POSES = 192
+HAIR_POSES = 64
+"""Random poses for an arm that rounding alone may have made cuspidal."""
+
+
+@dataclass(frozen=True, eq=False)
+class Case:
+    """An arm to be decided.
+
+    Attributes:
+        model: the numbers that the verdict is about, a virtual joint included.
+        literal: the chain as its file has it, a virtual joint included; a witness is
+            for it where it can be, else for the chain of the model.
+        seed: of every random choice.
+        engine: the route to connectivity, "auto", "roadmap" or "routing"; or "pairs".
+        poses: the most random poses that a search tries.
+        certify: whether a CUSPIDAL of an exact run needs a proved path as well.
+        so_far: what the ways tried before came to; None when none had an answer.
+    """
+
+    model: ExactModel
+    literal: Chain
+    seed: int = 0
+    engine: str = "auto"
+    poses: int = MOST_POSES
+    certify: bool = True
+    so_far: Answer | None = None
