@@ -5,7 +5,7 @@ from __future__ import annotations
 import signal
 from collections.abc import Iterable, Iterator, Mapping
 from concurrent.futures import ProcessPoolExecutor
-from dataclasses import dataclass, field
+from dataclasses import asdict, dataclass, field
 from multiprocessing import active_children
 from pathlib import Path
 from typing import Any, Literal
@@ -46,6 +46,10 @@ class Checked:
     def is_failure(self) -> bool:
         """Whether the file contradicts its record or cannot be audited."""
         return self.status in ("mismatch", "error", "fault")
+
+    def to_dict(self) -> dict[str, Any]:
+        """The comparison as JSON has it."""
+        return asdict(self)
 
 
 def robot_files(paths: Iterable[Path]) -> list[Path]:

@@ -9,8 +9,8 @@ about the robot.
 from __future__ import annotations
 
 import time
-from dataclasses import dataclass
-from typing import Literal
+from dataclasses import asdict, dataclass
+from typing import Any, Literal
 
 from cuspaudit.certificate.cover import Cover, Refusal
 from cuspaudit.certificate.model import (
@@ -52,6 +52,15 @@ class Verification:
     radius: float | None
     bits: int
     seconds: float
+
+    @property
+    def why(self) -> str:
+        """The reason, by the name it has in every result."""
+        return self.reason
+
+    def to_dict(self) -> dict[str, Any]:
+        """What came out, as JSON has it."""
+        return asdict(self)
 
 
 def verify(certificate: Certificate) -> Verification:

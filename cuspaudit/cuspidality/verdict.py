@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
-from enum import Enum
+from enum import StrEnum
 
 __all__ = ["Verdict"]
 
 
-class Verdict(Enum):
-    """CUSPIDAL, NONCUSPIDAL or UNDECIDED; it has no truth value.
+class Verdict(StrEnum):
+    """CUSPIDAL, NONCUSPIDAL or UNDECIDED; equal to its word, and without truth value.
 
+    >>> Verdict.CUSPIDAL == "cuspidal"
+    True
     >>> bool(Verdict.UNDECIDED)
     Traceback (most recent call last):
-    TypeError: a verdict is one of three, not true or false; compare it with `is`
+    TypeError: a verdict is one of three, not true or false; compare it: == "cuspidal"
     """
 
     CUSPIDAL = "cuspidal"
@@ -21,5 +23,5 @@ class Verdict(Enum):
 
     def __bool__(self) -> bool:
         raise TypeError(
-            "a verdict is one of three, not true or false; compare it with `is`"
+            'a verdict is one of three, not true or false; compare it: == "cuspidal"'
         )

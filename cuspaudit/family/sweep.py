@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import AbstractContextManager
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Protocol
 
@@ -43,6 +43,10 @@ class Swept:
     kept: int
     added: int
     errors: int
+
+    def to_dict(self) -> dict[str, int]:
+        """The numbers as JSON has them."""
+        return asdict(self)
 
 
 def sweep(

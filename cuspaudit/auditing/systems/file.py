@@ -22,7 +22,7 @@ from cuspaudit.errors import InvalidRobotError, InvalidSystemError
 from cuspaudit.robot.place import Place, listing, quoted
 from cuspaudit.robot.tables import read_mapping
 
-__all__ = ["SystemFile", "read_system"]
+__all__ = ["SystemFile", "read_system", "system_from_entries"]
 
 _KEYS = ("variables", "equations", "map", "name", "title", "source", "expect")
 _WORDS = ("name", "title", "source")
@@ -64,7 +64,16 @@ def read_system(path: Path) -> SystemFile:
             found=error.found,
             expected=error.expected,
         ) from None
-    return _Reader(str(path), entries).system()
+    return system_from_entries(str(path), entries)
+
+
+def system_from_entries(file: str, entries: Mapping[str, object]) -> SystemFile:
+    """The polynomial system and map in ``entries``, keyed as in a file.
+
+    Raises:
+        InvalidSystemError: they cannot be read as they stand.
+    """
+    return _Reader(file, entries).system()
 
 
 @dataclass(frozen=True)
