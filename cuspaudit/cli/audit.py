@@ -14,6 +14,7 @@ from cuspaudit.cli.options import (
     AngleUnit,
     Base,
     Convention,
+    LengthUnit,
     Lock,
     RobotEngine,
     RobotEngineName,
@@ -38,6 +39,7 @@ def audit(
     lock: Lock = None,
     convention: Convention = None,
     angle_unit: AngleUnit = None,
+    length_unit: LengthUnit = None,
     json_file: Annotated[
         str | None,
         typer.Option("--json", metavar="FILE", help="Write the audit; - is stdout."),
@@ -70,7 +72,9 @@ def audit(
         files.append(Path(json_file or ""))
     for file in files:
         check_writable(file)
-    opened = open_named(robot, base, tip, task, lock, convention, angle_unit)
+    opened = open_named(
+        robot, base, tip, task, lock, convention, angle_unit, length_unit
+    )
     result = run_audit(opened, seed, timeout, snap, engine.value)
     proof = certificate_text(result)
     written = str(certificate) if certificate and proof else None

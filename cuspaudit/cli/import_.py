@@ -14,6 +14,7 @@ from cuspaudit.cli.options import (
     AngleUnit,
     Base,
     Convention,
+    LengthUnit,
     Lock,
     Seed,
     Snap,
@@ -47,6 +48,7 @@ def import_(
     lock: Lock = None,
     convention: Convention = None,
     angle_unit: AngleUnit = None,
+    length_unit: LengthUnit = None,
     to: Annotated[
         Form | None,
         typer.Option(
@@ -77,7 +79,7 @@ def import_(
 
     square = to in (Form.poly, Form.msolve)
     opened = open_named(
-        robot, base, tip, task, lock, convention, angle_unit, square=square
+        robot, base, tip, task, lock, convention, angle_unit, length_unit, square=square
     )
     policy = policy_from_name(snap)
     if to:

@@ -20,6 +20,7 @@ def open_named(
     lock: list[str] | None,
     convention: str | None,
     angle_unit: str | None,
+    length_unit: str | None,
     *,
     square: bool = True,
 ) -> Robot:
@@ -31,8 +32,9 @@ def open_named(
         tip: tip link of a URDF.
         task: a name in `robot.task.DIMENSIONS`.
         lock: entries JOINT=VALUE.
-        convention: D-H convention of a CSV that does not say.
+        convention: D-H convention of a table that does not say.
         angle_unit: unit of bare angles in a D-H table.
+        length_unit: unit of lengths in a D-H table.
         square: whether the task must fit the joints that are left.
 
     Raises:
@@ -48,6 +50,7 @@ def open_named(
         lock=dict(_joint_and_value(entry) for entry in lock or []),
         convention=convention,
         angle_unit=angle_unit,
+        length_unit=length_unit,
         square=square,
     )
 

@@ -13,6 +13,7 @@ __all__ = [
     "Convention",
     "Engine",
     "EngineName",
+    "LengthUnit",
     "Lock",
     "RobotEngine",
     "RobotEngineName",
@@ -69,10 +70,15 @@ Lock = Annotated[
 ]
 Convention = Annotated[
     str | None,
-    typer.Option(help="D-H convention of a CSV that does not say: standard, modified."),
+    typer.Option(
+        help="D-H convention of a table that does not say: standard, modified."
+    ),
 ]
 AngleUnit = Annotated[
     str | None, typer.Option(help="Unit of bare angles in a D-H table: rad, deg.")
+]
+LengthUnit = Annotated[
+    str | None, typer.Option(help="Unit of lengths in a D-H table: m, mm.")
 ]
 Snap = Annotated[
     str,

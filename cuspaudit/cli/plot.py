@@ -14,6 +14,7 @@ from cuspaudit.cli.options import (
     AngleUnit,
     Base,
     Convention,
+    LengthUnit,
     Lock,
     RobotName,
     Snap,
@@ -47,6 +48,7 @@ def plot(
     lock: Lock = None,
     convention: Convention = None,
     angle_unit: AngleUnit = None,
+    length_unit: LengthUnit = None,
     snap: Snap = "default",
     at: At = None,
     x: X = None,
@@ -66,7 +68,9 @@ def plot(
         plane = Plane(x, y, colour, tuple(fix or ()))
         plot_family(Path(robot), output, plane, audits or [])
     else:
-        opened = open_named(robot, base, tip, task, lock, convention, angle_unit)
+        opened = open_named(
+            robot, base, tip, task, lock, convention, angle_unit, length_unit
+        )
         _plot_robot(opened, output, snap, at)
 
 

@@ -13,6 +13,7 @@ from cuspaudit.cli.options import (
     AngleUnit,
     Base,
     Convention,
+    LengthUnit,
     Lock,
     Seed,
     Snap,
@@ -38,6 +39,7 @@ def show(
     lock: Lock = None,
     convention: Convention = None,
     angle_unit: AngleUnit = None,
+    length_unit: LengthUnit = None,
     html: Annotated[
         Path | None, typer.Option(help="Write one offline page instead of serving it.")
     ] = None,
@@ -62,7 +64,9 @@ def show(
         lock = [f"{joint}={value}" for joint, value in saved["locked"].items()]
         if not source.endswith((".urdf", ".xml")):
             base = tip = None
-    opened = open_named(source, base, tip, task, lock, convention, angle_unit)
+    opened = open_named(
+        source, base, tip, task, lock, convention, angle_unit, length_unit
+    )
     result = run_audit(opened, seed, None, snap)
     page = page_text(result.record(), result, certificate_text(result))
     if html:

@@ -28,7 +28,7 @@ from cuspaudit.family.conditions import Condition, parse_condition
 from cuspaudit.family.expressions import NAME, WORDS, Expression, parse_expression
 from cuspaudit.family.family import Adaptive, Family
 from cuspaudit.family.parameters import Parameter, parse_parameter, parse_whole
-from cuspaudit.robot.formats.dh.rows import check_known, word
+from cuspaudit.robot.entries import check_known, word
 from cuspaudit.robot.place import Place, listing, quoted
 from cuspaudit.robot.robot import COUNTS
 from cuspaudit.robot.tables import Table, read_mapping, table_from_mapping

@@ -14,7 +14,7 @@ from fractions import Fraction
 
 from cuspaudit.family.expressions import Value, parse_expression
 from cuspaudit.robot.chain import Angle
-from cuspaudit.robot.formats.dh.rows import check_known, word
+from cuspaudit.robot.entries import check_known, word
 from cuspaudit.robot.place import Place
 
 __all__ = ["MOST_STEPS", "Parameter", "parse_parameter", "parse_whole"]

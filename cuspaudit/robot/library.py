@@ -39,6 +39,7 @@ def open_robot(
     lock: Mapping[str, str | Angle | Fraction] | None = None,
     convention: str | None = None,
     angle_unit: str | None = None,
+    length_unit: str | None = None,
     square: bool = True,
 ) -> Robot:
     """The robot in a file, or of a name in the library.
@@ -52,6 +53,7 @@ def open_robot(
             task is then that of the joints left.
         convention: D-H convention of a table that does not say.
         angle_unit: unit of bare angles of a table that does not say.
+        length_unit: unit of lengths of a table that does not say.
         square: check that the task has as many dimensions as there are joints.
 
     Raises:
@@ -65,6 +67,7 @@ def open_robot(
         task=task,
         convention=convention,
         angle_unit=angle_unit,
+        length_unit=length_unit,
     )
     if lock:
         chain = lock_joints(robot.chain, lock)

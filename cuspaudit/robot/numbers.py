@@ -30,6 +30,7 @@ __all__ = [
     "decimal_places",
     "format_angle",
     "format_rational",
+    "is_bare_angle",
     "parse_angle",
     "parse_decimal",
     "parse_length",
@@ -131,6 +132,19 @@ def parse_angle(
     return first + (second if match[2] == "+" else -second)
 
 
+def is_bare_angle(text: str) -> bool:
+    """Whether a number other than 0 stands in the angle ``text`` without a unit.
+
+    >>> [is_bare_angle(text) for text in ("90", "pi/2 + 0.1", "90 deg", "pi/2", "0.0")]
+    [True, True, False, False, False]
+    """
+    if len(text) > 5 * _MOST_CHARACTERS:
+        return False
+    match = _TWO_TERMS.fullmatch(text.strip())
+    terms = (match[1], match[3]) if match else (text,)
+    return any(_is_bare(term.strip()) for term in terms)
+
+
 def format_rational(value: Fraction) -> str:
     """``value`` as the shortest exact text: a decimal when it is one, else p/q.
 
@@ -200,6 +214,12 @@ def _term(text: str, place: Place, unit: AngleUnit | None) -> Angle:
             f'write "{text} deg" or "{text} rad", or state the unit of the file',
         )
     return _angle(value, unit or "rad")
+
+
+def _is_bare(term: str) -> bool:
+    number = re.split("[eE/]", term)[0]
+    plain = _PLAIN.fullmatch(term) or _QUOTIENT.fullmatch(term)
+    return plain is not None and any(digit in number for digit in "123456789")
 
 
 def _angle(value: Fraction, unit: str) -> Angle:

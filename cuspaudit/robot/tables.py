@@ -1,4 +1,4 @@
-"""Robot tables as text: YAML, JSON and CSV files read without any value in them.
+"""Robot tables as text: YAML and JSON files read without any value in them.
 
 Every scalar stays the text it is in the file: no float, date or boolean is made of
 it. Duplicate keys, YAML aliases and deep nesting are refused.
@@ -6,11 +6,8 @@ it. Duplicate keys, YAML aliases and deep nesting are refused.
 
 from __future__ import annotations
 
-import csv
-import io
 import json
-import re
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, NoReturn
@@ -19,12 +16,10 @@ import yaml
 
 from cuspaudit.robot.place import Place, quoted
 
-__all__ = ["Table", "read_mapping", "read_table", "table_from_mapping"]
+__all__ = ["Table", "read_mapping", "read_text", "table_from_mapping"]
 
 _MOST_BYTES = 1_000_000
 _MOST_DEPTH = 8
-_MOST_ROWS = 5000
-_SETTING = re.compile(r"\b(convention|angles|lengths|task)\s*=\s*([\w-]+)")
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,22 +35,6 @@ class Table:
     rows: Sequence[Mapping[str, object]]
 
 
-def read_table(path: Path, columns: Collection[str], place: Place) -> Table:
-    """The table in ``path``, by the ending of its name.
-
-    Args:
-        path: a .csv or .json file; any other is read as YAML.
-        columns: the column names that a CSV header may hold.
-        place: the file, for messages.
-
-    Raises:
-        InvalidRobotError: it cannot be read, decoded or parsed.
-    """
-    if path.suffix.lower() == ".csv":
-        return _from_csv(_text(path, place), columns, place)
-    return table_from_mapping(read_mapping(path, place), place)
-
-
 def read_mapping(
     path: Path, place: Place, example: str = "name:, convention:, joints: ..."
 ) -> dict[str, object]:
@@ -69,7 +48,7 @@ def read_mapping(
     Raises:
         InvalidRobotError: it cannot be read, decoded or parsed, or is no mapping.
     """
-    text = _text(path, place)
+    text = read_text(path, place)
     is_json = path.suffix.lower() == ".json"
     entries = _json(text, place) if is_json else _yaml(text, place)
     if not isinstance(entries, dict):
@@ -92,7 +71,12 @@ def table_from_mapping(entries: Mapping[str, object], place: Place) -> Table:
     return Table(head, rows)
 
 
-def _text(path: Path, place: Place) -> str:
+def read_text(path: Path, place: Place) -> str:
+    """The text of a file of at most a megabyte, in UTF-8.
+
+    Raises:
+        InvalidRobotError: it cannot be read, or is longer, or is no such text.
+    """
     try:
         with path.open("rb") as stream:
             content = stream.read(_MOST_BYTES + 1)
@@ -179,66 +163,3 @@ def _json(text: str, place: Place) -> object:
         raise here.error(error.msg, "write plain JSON") from None
     except RecursionError:
         raise place.error("too many levels", "nest at most three levels") from None
-
-
-def _from_csv(text: str, columns: Collection[str], place: Place) -> Table:
-    lines = text.splitlines()
-    start = next(
-        (k for k, line in enumerate(lines) if line.strip() and line.lstrip()[0] != "#"),
-        len(lines),
-    )
-    header = lines[start] if start < len(lines) else ""
-    delimiter = next((d for d in ("\t", ";") if d in header), ",")
-    body = io.StringIO("\n".join(lines[start:]))
-    try:
-        cells = [
-            [cell.strip() for cell in row]
-            for row in csv.reader(body, delimiter=delimiter, strict=True)
-            if any(cell.strip() for cell in row)
-        ]
-    except csv.Error as error:
-        raise place.error(str(error), "write one joint a line") from None
-    if not cells:
-        raise place.error("the file is empty", "write a line of column names")
-    return Table(_settings(lines[:start]), _rows(cells, columns, place))
-
-
-def _rows(
-    cells: list[list[str]], columns: Collection[str], place: Place
-) -> list[Mapping[str, object]]:
-    names = [name.lower() for name in cells[0]]
-    for name in names:
-        if name not in columns:
-            found = f"the column name {quoted(name)} is unknown"
-            expected = f"begin with a line of names out of {', '.join(sorted(columns))}"
-            raise place.at("header").error(found, expected)
-    if len(set(names)) < len(names):
-        found = f"a column name stands twice: {quoted(', '.join(names))}"
-        raise place.at("header").error(found, "write it once")
-    if len(cells) > _MOST_ROWS:
-        raise place.error(f"{len(cells) - 1} rows", "give a shorter table")
-    for number, row in enumerate(cells[1:], 1):
-        if len(row) != len(names):
-            found = f"{len(row)} cells under {len(names)} column names"
-            raise place.at(f"row {number}").error(found, "write one cell a column")
-    return [
-        {name: cell for name, cell in zip(names, row, strict=True) if cell}
-        for row in cells[1:]
-    ]
-
-
-def _settings(comments: list[str]) -> dict[str, object]:
-    """The settings in the comments above the header, as the YAML form names them."""
-    found = dict(_SETTING.findall("\n".join(comments)))
-    head: dict[str, object] = {}
-    for word, name in (("convention", "convention"), ("task", "task")):
-        if word in found:
-            head[name] = found[word]
-    units = {
-        name: found[word]
-        for word, name in (("lengths", "length"), ("angles", "angle"))
-        if word in found
-    }
-    if units:
-        head["units"] = units
-    return head

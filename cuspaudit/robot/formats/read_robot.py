@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from cuspaudit.robot.formats.dh.lines import LINE_ENDINGS
 from cuspaudit.robot.formats.dh.read import read_dh
 from cuspaudit.robot.formats.urdf.read import read_urdf
 from cuspaudit.robot.place import Place, quoted
@@ -11,7 +12,7 @@ from cuspaudit.robot.robot import Robot
 
 __all__ = ["TABLES", "read_robot"]
 
-TABLES = (".yaml", ".yml", ".json", ".csv")
+TABLES = (".yaml", ".yml", ".json", *LINE_ENDINGS)
 
 
 def read_robot(
@@ -22,17 +23,19 @@ def read_robot(
     task: str | None = None,
     convention: str | None = None,
     angle_unit: str | None = None,
+    length_unit: str | None = None,
 ) -> Robot:
     """The robot in a URDF or D-H file, by the ending of its name.
 
     Args:
-        path: a .urdf, .yaml, .yml, .json or .csv file.
+        path: a .urdf file, or one whose ending is in `TABLES`.
         base: a link of the URDF; by default its root.
         tip: a link of the URDF; by default its only end.
         task: a name in `robot.task.DIMENSIONS`; by default the one for so many
             joints.
         convention: "standard" or "modified", for a table that does not say.
         angle_unit: "rad" or "deg", for a table that does not say.
+        length_unit: "m" or "mm", for a table that does not say.
 
     Raises:
         InvalidRobotError: the file cannot be read as it stands, or an option does
@@ -44,7 +47,13 @@ def read_robot(
         if base is not None or tip is not None:
             expected = "leave out --base and --tip: a table is one chain"
             raise place.error("a table has no links to choose from", expected)
-        return read_dh(path, task=task, convention=convention, angle_unit=angle_unit)
+        return read_dh(
+            path,
+            task=task,
+            convention=convention,
+            angle_unit=angle_unit,
+            length_unit=length_unit,
+        )
     if path.suffix.lower() in (".urdf", ".xml", ".xacro"):
         return read_urdf(path, base=base, tip=tip, task=task)
     found = f"files ending in {quoted(path.suffix)} are unknown"

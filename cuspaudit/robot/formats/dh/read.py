@@ -20,7 +20,6 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from pathlib import Path
-from typing import Literal
 
 from cuspaudit.robot.chain import (
     X_AXIS,
@@ -31,18 +30,19 @@ from cuspaudit.robot.chain import (
     Rotation,
     Translation,
 )
-from cuspaudit.robot.formats.dh.rows import COLUMNS, Row, check_known, parse_rows, word
+from cuspaudit.robot.entries import check_known, word
+from cuspaudit.robot.formats.dh.headers import stated_by
+from cuspaudit.robot.formats.dh.lines import read_table
+from cuspaudit.robot.formats.dh.rows import Row, named_rows, parse_rows
+from cuspaudit.robot.formats.dh.settings import Convention, Given, Settings, settings
 from cuspaudit.robot.formats.motion_text import parse_motions
 from cuspaudit.robot.frames import angle_value
-from cuspaudit.robot.numbers import AngleUnit
-from cuspaudit.robot.place import Place, quoted
+from cuspaudit.robot.place import Place, listing
 from cuspaudit.robot.robot import Robot, parse_expectation
-from cuspaudit.robot.tables import Table, read_table
+from cuspaudit.robot.tables import Table
 from cuspaudit.robot.task import check_limits, default_task, parse_task
 
-__all__ = ["Convention", "chain_from_rows", "read_dh", "robot_from_table"]
-
-Convention = Literal["standard", "modified"]
+__all__ = ["chain_from_rows", "read_dh", "robot_from_table"]
 
 _HEAD = (
     *("name", "title", "source", "convention", "units", "angle_unit"),
@@ -57,30 +57,28 @@ def read_dh(
     task: str | None = None,
     convention: str | None = None,
     angle_unit: str | None = None,
+    length_unit: str | None = None,
 ) -> Robot:
-    """The robot of a D-H table in a .yaml, .yml, .json or .csv file.
+    """The robot of a D-H table in a YAML, JSON or CSV file, or one of `LINE_ENDINGS`.
 
     Args:
         path: the file.
         task: a name in `robot.task.DIMENSIONS`, instead of the file's.
         convention: "standard" or "modified", where the file does not say.
         angle_unit: "rad" or "deg" of bare angles, where the file does not say.
+        length_unit: "m" or "mm", where the file does not say.
 
     Raises:
         InvalidRobotError: the table cannot be read as it stands.
     """
     path = Path(path)
-    place = Place(str(path))
-    table = read_table(path, COLUMNS, place)
-    return robot_from_table(table, path, task, convention, angle_unit)
+    table = read_table(path, Place(str(path)))
+    given = Given(convention, angle_unit, length_unit)
+    return robot_from_table(table, path, task, given)
 
 
 def robot_from_table(
-    table: Table,
-    path: Path,
-    task: str | None = None,
-    convention: str | None = None,
-    angle_unit: str | None = None,
+    table: Table, path: Path, task: str | None = None, given: Given | None = None
 ) -> Robot:
     """The robot of a table read already; see `read_dh`, also for what it raises.
 
@@ -88,28 +86,18 @@ def robot_from_table(
         table: the rows and what stands beside them.
         path: the file they are from, for names and messages.
         task: as in `read_dh`.
-        convention: as in `read_dh`.
-        angle_unit: as in `read_dh`.
+        given: what the caller states of convention and units.
     """
     place = Place(str(path))
+    check_known(table.head, _HEAD, place)
+    named, headers = named_rows(table.rows, place)
+    stated = stated_by(headers, place.at("header"))
+    table = Table(table.head, named)
     head = table.head
-    check_known(head, _HEAD, place)
-    length_unit, angles = _units(head, angle_unit, place)
-    rows = parse_rows(table.rows, angles, place)
-    joints, tool = chain_from_rows(rows, _convention(table, convention, place))
-    if head.get("tool") is not None:
-        tool += parse_motions(head["tool"], "tool", place.at("tool"), angles)
-    chosen = task or word(head, "task", place)
-    chain = Chain(
-        name=word(head, "name", place) or path.stem,
-        joints=joints,
-        tool=tool,
-        task=parse_task(chosen, place) if chosen else default_task(len(joints)),
-        base=word(head, "base", place) or "base",
-        tip=word(head, "tip", place) or "tip",
-        unit=length_unit or "m",
-    )
-    unit_note = () if length_unit else ("no unit of length is stated: read as m",)
+    chosen = settings(table, stated, given or Given(), place)
+    rows = parse_rows(table.rows, chosen.angle_unit, place)
+    chain = _chain(head, rows, chosen, path, task)
+    notes = [*_settings_notes(chosen, stated), *_type_notes(rows), *_notes(rows)]
     return Robot(
         name=chain.name,
         file=str(path),
@@ -117,7 +105,31 @@ def robot_from_table(
         title=word(head, "title", place) or "",
         source=word(head, "source", place) or "",
         expect=_expectation(head, place),
-        notes=(*unit_note, *_notes(rows), *check_limits(chain, place)),
+        notes=(*notes, *check_limits(chain, place)),
+    )
+
+
+def _chain(
+    head: Mapping[str, object],
+    rows: Sequence[Row],
+    chosen: Settings,
+    path: Path,
+    task: str | None,
+) -> Chain:
+    """The chain of the rows, with what the head says about it."""
+    place = Place(str(path))
+    joints, tool = chain_from_rows(rows, chosen.convention)
+    if head.get("tool") is not None:
+        tool += parse_motions(head["tool"], "tool", place.at("tool"), chosen.angle_unit)
+    name = task or word(head, "task", place)
+    return Chain(
+        name=word(head, "name", place) or path.stem,
+        joints=joints,
+        tool=tool,
+        task=parse_task(name, place) if name else default_task(len(joints)),
+        base=word(head, "base", place) or "base",
+        tip=word(head, "tip", place) or "tip",
+        unit=chosen.length_unit or "m",
     )
 
 
@@ -165,54 +177,6 @@ def _offset(row: Row) -> tuple[Motion, ...]:
     return (Rotation(Z_AXIS, row.theta, f"{row.name} theta"),)
 
 
-def _convention(table: Table, given: str | None, place: Place) -> Convention:
-    """The one convention stated by the file's head, its column or the caller."""
-    stated = [word(row, "convention", place) for row in table.rows]
-    stated += [word(table.head, "convention", place), given]
-    names = {name for name in stated if name is not None}
-    if names == {"standard"}:
-        return "standard"
-    if names == {"modified"}:
-        return "modified"
-    if len(names) > 1:
-        found = f"several conventions: {', '.join(sorted(quoted(n) for n in names))}"
-    elif names:
-        found = f"the convention {quoted(names.pop())} is unknown"
-    else:
-        found = "no convention"
-    expected = (
-        "state standard or modified: the same numbers are different robots "
-        "(convention: standard in YAML, # convention=standard above a CSV header)"
-    )
-    raise place.error(found, expected)
-
-
-def _units(
-    head: Mapping[str, object], given: str | None, place: Place
-) -> tuple[str | None, AngleUnit | None]:
-    """The units of length and of bare angles, None where not stated."""
-    units = head.get("units")
-    entries: Mapping[str, object] = {"length": units}
-    here = place.at("units")
-    if isinstance(units, Mapping):
-        check_known(units, ("length", "angle"), here)
-        entries = units
-    length = word(entries, "length", here)
-    if length not in (None, "m", "mm"):
-        found = f"the unit of length {quoted(str(length))}"
-        raise here.error(found, "write m or mm")
-    stated = [word(entries, "angle", here), word(head, "angle_unit", place), given]
-    angles = {name for name in stated if name is not None}
-    if not angles:
-        return length, None
-    if angles == {"rad"}:
-        return length, "rad"
-    if angles == {"deg"}:
-        return length, "deg"
-    found = f"the unit of angle {', '.join(sorted(quoted(n) for n in angles))}"
-    raise here.error(found, "write rad or deg, the same wherever it stands")
-
-
 def _expectation(
     head: Mapping[str, object], place: Place
 ) -> Mapping[str, str | int | None] | None:
@@ -223,6 +187,31 @@ def _expectation(
     if not isinstance(entries, Mapping):
         raise here.error("not a mapping", "write expect: {verdict: cuspidal}")
     return parse_expectation(entries, here)
+
+
+def _settings_notes(chosen: Settings, stated: Mapping[str, str]) -> list[str]:
+    """What was taken from nowhere, or from the names of the columns."""
+    notes = []
+    if chosen.length_unit is None:
+        notes.append("no unit of length is stated: read as m")
+    if "convention" in stated:
+        notes.append(
+            "a_{i-1} and alpha_{i-1} stand in the row of joint i: modified convention"
+        )
+    return notes
+
+
+def _type_notes(rows: Sequence[Row]) -> list[str]:
+    """Which rows state no type, and how they are read."""
+    if all(row.kind == "revolute" and not row.is_typed for row in rows):
+        return ["no row states a type: all joints are read as revolute"]
+    notes = []
+    for kind, reason in (("revolute", ""), ("prismatic", ", as d is what varies")):
+        names = [row.name for row in rows if row.kind == kind and not row.is_typed]
+        if names:
+            verb = "states" if len(names) == 1 else "state"
+            notes.append(f"{listing(names)} {verb} no type: read as {kind}{reason}")
+    return notes
 
 
 def _notes(rows: Sequence[Row]) -> list[str]:

@@ -2,43 +2,27 @@
 
 from __future__ import annotations
 
-import re
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
 from cuspaudit.robot.chain import Angle, JointKind, Motion, Vector
+from cuspaudit.robot.entries import check_known, word
+from cuspaudit.robot.formats.dh.cells import plain_cell
+from cuspaudit.robot.formats.dh.headers import COLUMNS, Header, header_from_text
+from cuspaudit.robot.formats.dh.moving import Moving, check_indices, moving_entry
 from cuspaudit.robot.formats.motion_text import parse_direction, parse_motions
 from cuspaudit.robot.numbers import AngleUnit, parse_angle, parse_length
 from cuspaudit.robot.place import Place, quoted
 
-__all__ = [
-    "COLUMNS",
-    "MOST_JOINTS",
-    "Limits",
-    "Row",
-    "check_known",
-    "parse_rows",
-    "word",
-]
+__all__ = ["MOST_JOINTS", "Limits", "Row", "named_rows", "parse_rows"]
 
 MOST_JOINTS = 50
 
 Limits = tuple[Angle, Angle] | tuple[Fraction, Fraction] | None
 
-COLUMNS = (
-    *("joint", "name", "type", "theta", "d", "a", "alpha", "sign"),
-    *("limits", "qmin", "qmax", "convention"),
-)
-_ROW = (*COLUMNS, "before", "axis")
-_KINDS: dict[str, JointKind] = {
-    "revolute": "revolute",
-    "r": "revolute",
-    "prismatic": "prismatic",
-    "p": "prismatic",
-}
+_FREE = ("before", "axis")
 _SIGNS = {None: 1, "1": 1, "+1": 1, "-1": -1}
-_VARIABLE = re.compile(r"(q|d|t|th|theta)_?[0-9]*\*?")
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,6 +40,7 @@ class Row:
         limits: of the joint's variable.
         before: fixed motions that come before all of these.
         axis: the joint's own axis, in a row without theta, d, a, alpha and sign.
+        is_typed: whether the row states its kind.
     """
 
     name: str
@@ -68,6 +53,39 @@ class Row:
     limits: Limits
     before: tuple[Motion, ...] = ()
     axis: Vector | None = None
+    is_typed: bool = True
+
+
+def named_rows(
+    rows: Sequence[Mapping[str, object]], place: Place
+) -> tuple[list[Mapping[str, object]], list[Header]]:
+    """The rows under our column names, and what their own names say.
+
+    Args:
+        rows: name to text, names as people write them.
+        place: the file.
+
+    Raises:
+        InvalidRobotError: a name is unknown, or two of a row mean one column.
+    """
+    seen: dict[str, Header] = {}
+    result: list[Mapping[str, object]] = []
+    for number, cells in enumerate(rows, 1):
+        named: dict[str, object] = {}
+        for key, value in cells.items():
+            column = key
+            if key not in _FREE:
+                seen.setdefault(key, header_from_text(key))
+                column = seen[key].column
+            here = place.at(f"row {number}")
+            if not column:
+                check_known({key: value}, (*COLUMNS, *_FREE), here)
+            if column in named:
+                found = f"two columns mean {column}, the second {quoted(key)}"
+                raise here.error(found, "write it once")
+            named[column] = value
+        result.append(named)
+    return result, list(seen.values())
 
 
 def parse_rows(
@@ -76,7 +94,8 @@ def parse_rows(
     """The rows, base to tip, their names all different.
 
     Args:
-        rows: column name to text (``limits``: to two texts).
+        rows: our column name to text (``limits``: to two texts), as `named_rows` has
+            them.
         unit: the unit of bare angles, or None when the file states none.
         place: the file.
 
@@ -89,10 +108,14 @@ def parse_rows(
         expected = f"give a chain of at most {MOST_JOINTS}"
         raise place.error(f"{len(rows)} joints", expected)
     result: list[Row] = []
-    for number, cells in enumerate(rows, 1):
-        here = place.at(f"row {number}")
-        check_known(cells, _ROW, here)
-        row = _row(cells, _joint_name(cells, number, here), unit, here)
+    places = [place.at(f"row {number}") for number in range(1, len(rows) + 1)]
+    moving = [moving_entry(*pair) for pair in zip(rows, places, strict=True)]
+    check_indices([entry.index for entry in moving], place)
+    first = 0 if word(rows[0], "joint", places[0]) == "0" else 1
+    for number, (cells, entry) in enumerate(zip(rows, moving, strict=True)):
+        here = places[number]
+        name = _joint_name(cells, number, first, here)
+        row = _row(cells, name, entry, unit, here)
         if row.name in [other.name for other in result]:
             found = f"the joint name {quoted(row.name)} stands twice"
             raise here.error(found, "give each joint its own name")
@@ -100,108 +123,81 @@ def parse_rows(
     return result
 
 
-def check_known(
-    entries: Mapping[str, object], known: Collection[str], place: Place
-) -> None:
-    """Check that every key is one we read.
-
-    Raises:
-        InvalidRobotError: one is not; the message lists those that are.
-    """
-    for key in entries:
-        if key not in known:
-            found = f"unknown name {quoted(key)}"
-            raise place.error(found, f"the names here are {', '.join(sorted(known))}")
-
-
-def word(entries: Mapping[str, object], key: str, place: Place) -> str | None:
-    """The text under ``key``, None when it is absent or null.
-
-    Raises:
-        InvalidRobotError: a list or a mapping stands there.
-    """
-    value = entries.get(key)
-    if value is None or value in ("", "null", "~"):
-        return None
-    if not isinstance(value, str):
-        raise place.at(key).error("a list or mapping", "write one value")
-    return value
-
-
 def _row(
-    cells: Mapping[str, object], name: str, unit: AngleUnit | None, place: Place
+    cells: Mapping[str, object],
+    name: str,
+    moving: Moving,
+    unit: AngleUnit | None,
+    place: Place,
 ) -> Row:
-    kind = _kind(cells, place)
     before: tuple[Motion, ...] = ()
     if cells.get("before") is not None:
         here = place.at("before")
         before = parse_motions(cells["before"], f"{name} before", here, unit)
     if cells.get("axis") is not None:
-        return _free_row(cells, name, kind, before, unit, place)
-    variable = "theta" if kind == "revolute" else "d"
-    texts = {
-        column: word(cells, column, place) for column in ("theta", "d", "a", "alpha")
-    }
-    for column, text in texts.items():
-        if text is None and column not in (variable, "theta"):
+        return _free_row(cells, name, moving, before, unit, place)
+    for column in ("a", "alpha", "d"):
+        missing = word(cells, column, place) is None
+        if missing and not (column == "d" and moving.kind == "prismatic"):
             raise place.at(column).error("no value", "write 0 or a number")
-    text = texts[variable]
-    if text and _VARIABLE.fullmatch(text):
-        found = f"the joint's own variable {quoted(text)}"
-        expected = "write its constant offset there, 0 if there is none"
-        raise place.at(variable).error(found, expected)
     return Row(
         name=name,
-        kind=kind,
-        theta=parse_angle(texts["theta"] or "0", place.at("theta"), unit),
-        d=parse_length(texts["d"] or "0", place.at("d")),
-        a=parse_length(texts["a"] or "0", place.at("a")),
-        alpha=parse_angle(texts["alpha"] or "0", place.at("alpha"), unit),
-        sign=_sign(cells, place),
-        limits=_limits(cells, kind, unit, place),
+        kind=moving.kind,
+        theta=parse_angle(moving.theta, place.at("theta"), unit),
+        d=parse_length(moving.d, place.at("d")),
+        a=parse_length(_plain(cells, "a", place), place.at("a")),
+        alpha=parse_angle(_plain(cells, "alpha", place), place.at("alpha"), unit),
+        sign=moving.sign * _sign(cells, place),
+        limits=_limits(cells, moving.kind, unit, place),
         before=before,
+        is_typed=moving.is_typed,
     )
 
 
 def _free_row(
     cells: Mapping[str, object],
     name: str,
-    kind: JointKind,
+    moving: Moving,
     before: tuple[Motion, ...],
     unit: AngleUnit | None,
     place: Place,
 ) -> Row:
     """A joint given by the motions before it and its axis, without D-H numbers."""
-    for column in ("theta", "d", "a", "alpha", "sign"):
+    for column in ("theta", "d", "a", "alpha", "sign", "offset"):
         if column in cells:
             found = f"{column} beside axis"
             expected = "give before: and axis:, or D-H numbers and no axis"
             raise place.at("axis").error(found, expected)
     axis = parse_direction(word(cells, "axis", place) or "", place.at("axis"))
     zero, none = Fraction(0), Angle()
-    limits = _limits(cells, kind, unit, place)
-    return Row(name, kind, none, zero, zero, none, 1, limits, before, axis)
+    limits = _limits(cells, moving.kind, unit, place)
+    return Row(
+        *(name, moving.kind, none, zero, zero, none, 1, limits, before, axis),
+        is_typed=moving.is_typed,
+    )
 
 
-def _joint_name(cells: Mapping[str, object], number: int, place: Place) -> str:
-    """The joint's name; a bare number in ``joint`` has to count the rows."""
+def _plain(cells: Mapping[str, object], column: str, place: Place) -> str:
+    return plain_cell(word(cells, column, place) or "0")
+
+
+def _joint_name(cells: Mapping[str, object], row: int, first: int, place: Place) -> str:
+    """The joint's name; a bare number in ``joint`` has to count the rows.
+
+    Args:
+        cells: of the row.
+        row: its number, from 0.
+        first: the number of the first joint, 0 or 1.
+        place: the row.
+    """
     given = word(cells, "name", place)
     label = word(cells, "joint", place)
     if given is None and label is not None and not label.isdigit():
         given = label
-    if label is not None and label.isdigit() and label != str(number):
-        found = f"joint {quoted(label)} in row {number}"
+    if label is not None and label.isdigit() and label != str(row + first):
+        found = f"joint {quoted(label)} in row {row + 1}"
         raise place.error(found, "number the joints 1, 2, 3, ... from the base")
-    return given or f"joint_{number}"
-
-
-def _kind(cells: Mapping[str, object], place: Place) -> JointKind:
-    text = word(cells, "type", place) or ""
-    kind = _KINDS.get(text.lower())
-    if kind is None:
-        found = f"the type {quoted(text)}" if text else "no type"
-        raise place.at("type").error(found, "write revolute or prismatic (or R, P)")
-    return kind
+    return given or f"joint_{row + 1}"
 
 
 def _sign(cells: Mapping[str, object], place: Place) -> int:
@@ -227,6 +223,7 @@ def _limits(
     if lower is None or upper is None:
         raise place.at("limits").error("one limit without the other", "write both")
     here = place.at("limits")
+    lower, upper = plain_cell(lower), plain_cell(upper)
     if kind == "revolute":
         return parse_angle(lower, here, unit), parse_angle(upper, here, unit)
     return parse_length(lower, here), parse_length(upper, here)

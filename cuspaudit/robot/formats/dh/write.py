@@ -31,7 +31,7 @@ from cuspaudit.robot.chain import (
     Translation,
     Vector,
 )
-from cuspaudit.robot.formats.dh.read import Convention
+from cuspaudit.robot.formats.dh.settings import Convention
 from cuspaudit.robot.formats.dh.step import Step, dh_step, z_screw
 from cuspaudit.robot.formats.motion_text import format_motion, format_vector
 from cuspaudit.robot.numbers import format_angle, format_rational

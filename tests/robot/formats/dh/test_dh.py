@@ -139,13 +139,13 @@ def test_expectations_are_read(read: Reader) -> None:
 @pytest.mark.parametrize(
     ("change", "said"),
     [
-        (("convention: standard\n", ""), "state standard or modified"),
+        (("convention: standard\n", ""), "no convention; state --convention standard"),
         (("standard", "classic"), "is unknown"),
         (("a: 2", "a: 2, a: 3"), "the key .a. twice"),
         (("a: 2", "beta: 2"), "row 2: unknown name .beta."),
         (("a: 2, ", ""), "row 2 a: no value"),
         (("a: 2", "a: [2]"), "row 2 a: a list or mapping"),
-        (("alpha: -pi/2", "alpha: -90"), "row 2 alpha: .* no unit"),
+        (("alpha: -pi/2", "alpha: -90"), "no unit of angles .row 2 alpha is .-90"),
         (("type: R,", "type: X,"), "row 2 type: the type .X."),
         (("limits: [0, 1/2]", "limits: [1, 1/2]"), "exchange them"),
         (("limits: [0, 1/2]", "limits: 1"), "not a pair"),
