@@ -14,7 +14,7 @@ from cuspaudit.cuspidality.surface_decision import SurfaceDecision
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import RetryableError, TimeLimitError, UnableError
 from cuspaudit.kinematics.exact_model import ExactModel
-from cuspaudit.kinematics.theorems.registry import Reduction
+from cuspaudit.kinematics.theorems.theorem import Reduction
 
 __all__ = ["Answer", "Reason", "Undecided", "stopped", "undecided"]
 

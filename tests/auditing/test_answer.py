@@ -7,7 +7,7 @@ from cuspaudit.auditing.deciders.decide import answer
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import DegenerateMapError, PrecisionError, UnableError
 from cuspaudit.kinematics.exact_model import exact_model
-from cuspaudit.kinematics.theorems.registry import LOOKED_FOR
+from cuspaudit.kinematics.theorems.registry import looked_for
 
 Row = tuple[Number, ...]
 
@@ -73,7 +73,7 @@ def test_an_unknown_structure_is_undecided() -> None:
     assert found.verdict is Verdict.UNDECIDED
     assert found.undecided is not None
     assert found.undecided.step == "reductions"
-    assert found.undecided.looked_for == LOOKED_FOR
+    assert found.undecided.looked_for == looked_for("pose")
     assert found.rests_on == ()
     assert found.aspects is found.postures is found.cusps is found.nodes is None
 

@@ -9,7 +9,7 @@ from short_tables import Number, arm, shift
 from cuspaudit.kinematics.exact_model import exact_model
 from cuspaudit.kinematics.polynomial_map import jacobian_determinant
 from cuspaudit.kinematics.postures.numeric import PostureSolver
-from cuspaudit.kinematics.theorems.registry import reduce_six_joints
+from cuspaudit.kinematics.theorems.registry import reduction_of
 from cuspaudit.robot.chain import Chain, Task
 from cuspaudit.robot.frames import frames, jacobian
 from cuspaudit.robot.virtual_joint import (
@@ -76,9 +76,9 @@ def test_the_tool_axis_counts_as_an_axis_of_a_structure() -> None:
     chain = replace(arm(*rows), task="position-and-z-axis")
     along = replace(chain, tool=(*chain.tool, shift(0, 0, "0.3")))
     beside = replace(chain, tool=(*chain.tool, shift("1e-9", 0, "0.3")))
-    found = reduce_six_joints(exact_model(along))
+    found = reduction_of(exact_model(along))
     assert found is not None
     assert found.kind == "spherical wrist"
-    assert reduce_six_joints(exact_model(beside)) is None
+    assert reduction_of(exact_model(beside)) is None
     rolled = replace(along, tool=(shift(0, 0, "0.3"),))  # joint 5 is the tool axis
     assert jacobian_determinant(exact_model(rolled)) == 0

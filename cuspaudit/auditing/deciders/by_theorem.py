@@ -13,12 +13,8 @@ from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import DegenerateMapError, RetryableError, UnableError
 from cuspaudit.kinematics.exact_model import ExactModel
 from cuspaudit.kinematics.polynomial_map import jacobian_determinant
-from cuspaudit.kinematics.theorems.registry import (
-    LOOKED_FOR,
-    Reduction,
-    reduce_four_joints,
-    reduce_six_joints,
-)
+from cuspaudit.kinematics.theorems.registry import looked_for, reduction_of
+from cuspaudit.kinematics.theorems.theorem import Reduction
 from cuspaudit.runtime.clock import Clock
 
 __all__ = ["by_theorem"]
@@ -50,8 +46,7 @@ def _settled(case: Case, clock: Clock) -> Answer:
     clock.step("reductions")
     if model.chain.task == "position-and-angle":
         _check_regular(model)
-        return _noncuspidal(model, reduce_four_joints(model))
-    reduction = _named(model, reduce_six_joints(model))
+    reduction = _named(model, reduction_of(model))
     if reduction is None:
         _check_regular(model)
         return undecided(
@@ -59,7 +54,7 @@ def _settled(case: Case, clock: Clock) -> Answer:
             Reason.NO_THEOREM,
             "reductions",
             "none of the structures that decide a six-joint arm holds exactly",
-            LOOKED_FOR,
+            looked_for(model.chain.task),
             "a witness path, or an exact count of the aspects of a general 6R arm",
             count_aspects(model),
         )
@@ -85,8 +80,9 @@ def _of_six(model: ExactModel, reduction: Reduction, regional: Answer) -> Answer
     if regional.verdict is Verdict.CUSPIDAL and not reduction.is_equivalent:
         why = f"{reduction.why}, and they are: the theorem says no more"
         settle = "a witness path"
+        tried = looked_for(model.chain.task)
         return undecided(
-            *(model, Reason.NO_THEOREM, "reductions", why, LOOKED_FOR, settle, aspects)
+            *(model, Reason.NO_THEOREM, "reductions", why, tried, settle, aspects)
         )
     return replace(
         regional,

@@ -14,7 +14,7 @@ from typing import Literal
 
 from cuspaudit.kinematics.exact_model import ExactModel, exact_model
 from cuspaudit.kinematics.neighbors import concurrent, coplanar, orthogonal, parallel
-from cuspaudit.kinematics.theorems.registry import reduce_six_joints
+from cuspaudit.kinematics.theorems.registry import reduction_of
 from cuspaudit.kinematics.theorems.triple_and_pair import PLACES, triple_and_pair
 from cuspaudit.robot.chain import Chain, reverse
 
@@ -78,7 +78,7 @@ def patterns_for(chain: Chain) -> tuple[Pattern, ...]:
 
 def _has(kind: str) -> Callable[[ExactModel], bool]:
     def test(model: ExactModel) -> bool:
-        found = reduce_six_joints(model)
+        found = reduction_of(model)
         return found is not None and found.kind == kind
 
     return test

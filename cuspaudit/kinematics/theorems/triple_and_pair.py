@@ -60,8 +60,9 @@ from __future__ import annotations
 from cuspaudit.kinematics.exact_model import ExactModel
 from cuspaudit.kinematics.neighbors import concurrent, coplanar, parallel
 from cuspaudit.kinematics.polynomial_map import jacobian_determinant
+from cuspaudit.kinematics.theorems.theorem import Reduction, Theorem
 
-__all__ = ["PLACES", "triple_and_pair"]
+__all__ = ["PLACES", "TRIPLE_AND_PAIR", "triple_and_pair"]
 
 PLACES = ((1, 4), (1, 5), (2, 5), (3, 1), (4, 1), (4, 2))
 """Where a triple and a pair can stand: the number of the first axis of each."""
@@ -89,3 +90,24 @@ def _triple(model: ExactModel, first: int) -> str | None:
     if parallel(model, first) and parallel(model, first + 1):
         return f"{axes} are parallel"
     return f"{axes} meet in one point" if concurrent(model, first) else None
+
+
+def _apply(model: ExactModel) -> Reduction | None:
+    axes = triple_and_pair(model)
+    if axes is None:
+        return None
+    return Reduction(
+        "triple and pair",
+        f"{axes}: three signs along a nonsingular path tell all postures of a pose "
+        "apart",
+    )
+
+
+TRIPLE_AND_PAIR = Theorem(
+    "triple and pair",
+    "pose",
+    6,
+    (1, 2, 3, 4, 5, 6),
+    "three axes in a row parallel or concurrent, and two others in a row as well",
+    _apply,
+)

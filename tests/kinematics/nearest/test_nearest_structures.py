@@ -18,7 +18,7 @@ from cuspaudit.kinematics.nearest.nearest_structures import (
     NearStructure,
     nearest_structures,
 )
-from cuspaudit.kinematics.theorems.registry import reduce_six_joints
+from cuspaudit.kinematics.theorems.registry import reduction_of
 from cuspaudit.robot.chain import Chain
 from cuspaudit.robot.formats.read_robot import read_robot
 from cuspaudit.robot.library import open_robot
@@ -84,7 +84,7 @@ def test_offsets_along_the_middle_axis_are_shared() -> None:
 def test_what_holds_is_at_distance_zero(name: str) -> None:
     """A structure holds exactly when the theorem's test of the arm says so."""
     model = exact_model(open_robot(name).chain)
-    reduction = reduce_six_joints(model)
+    reduction = reduction_of(model)
     found = nearest_structures(model)
     assert [s.size for s in found] == sorted(s.size for s in found)
     held = {s.name for s in found if s.holds}
@@ -99,7 +99,7 @@ def test_the_nearest_arm_has_the_structure_exactly(name: str) -> None:
     chain = open_robot(name).chain
     own = links_of(chain)
     for found in nearest_structures(exact_model(chain)):
-        assert reduce_six_joints(found.model) is not None
+        assert reduction_of(found.model) is not None
         for link, other in zip(own, links_of(found.model.chain), strict=True):
             assert abs(_angle(link) - _angle(other)) <= found.angle + 1e-8
             lever = reach_of(own) * found.angle

@@ -9,11 +9,8 @@ from short_tables import Number, arm, degrees, shift, with_wrist
 
 from cuspaudit.kinematics.exact_model import exact_model
 from cuspaudit.kinematics.polynomial_map import jacobian_determinant
-from cuspaudit.kinematics.theorems.registry import (
-    LOOKED_FOR,
-    Reduction,
-    reduce_six_joints,
-)
+from cuspaudit.kinematics.theorems.registry import THEOREMS, looked_for, reduction_of
+from cuspaudit.kinematics.theorems.theorem import Reduction
 from cuspaudit.robot.chain import Y_AXIS, Chain, Motion, Rotation, reverse
 from cuspaudit.robot.frames import frames
 
@@ -24,7 +21,7 @@ UR = ((0, 2, 3, 0, 0, 1), (1, 0, 0, 1, 2, 1), (90, 0, 0, 90, -90, 0))
 
 def reduced(chain: Chain) -> Reduction | None:
     """The reduction of a chain."""
-    return reduce_six_joints(exact_model(chain))
+    return reduction_of(exact_model(chain))
 
 
 def test_the_regional_arm_moves_the_wrist_center() -> None:
@@ -139,8 +136,18 @@ def test_only_revolute_arms_are_reduced(kinds: str) -> None:
 
 def test_what_is_looked_for_is_listed() -> None:
     """One line a structure, and the names of all."""
-    assert len(LOOKED_FOR) == 4
-    assert "UR pattern" in LOOKED_FOR[2]
+    names = looked_for("pose")
+    assert len(names) == 4
+    assert "UR pattern" in names[2]
+
+
+def test_each_theorem_gives_its_own_name() -> None:
+    """What a theorem says bears its name, and no two share one."""
+    names = [theorem.name for theorem in THEOREMS]
+    assert len(set(names)) == len(names)
+    found = [reduced(arm(*UR)), reduced(with_wrist(arm(*REGIONAL)))]
+    assert {each.kind for each in found if each} == {"UR pattern", "spherical wrist"}
+    assert {"UR pattern", "spherical wrist"} <= set(names)
 
 
 @pytest.mark.parametrize(

@@ -15,7 +15,7 @@ from cuspaudit.algebra.trigonometric import factor_on_circles
 from cuspaudit.kinematics.exact_model import circle_names, exact_model
 from cuspaudit.kinematics.polynomial_map import jacobian_determinant
 from cuspaudit.kinematics.postures.numeric import PostureSolver
-from cuspaudit.kinematics.theorems.registry import reduce_six_joints
+from cuspaudit.kinematics.theorems.registry import reduction_of
 from cuspaudit.kinematics.theorems.triple_and_pair import triple_and_pair
 from cuspaudit.robot.chain import X_AXIS, Angle, Chain, Rotation, reverse
 from cuspaudit.robot.frames import angle_value
@@ -122,11 +122,9 @@ def test_a_hair_is_noticed(kind: tuple[str, int, str, int]) -> None:
 def test_a_triple_alone_or_a_pair_alone_is_nothing() -> None:
     """Neither three parallel axes nor two that meet decide an arm."""
     a, d = ("0.3", "0.5", "0.6", "0.7", "0.4", 0), ("0.1", 0, 0, "0.2", "0.3", 0)
-    assert reduce_six_joints(exact_model(arm(a, d, (60, 0, 0, 60, 120, 0)))) is None
+    assert reduction_of(exact_model(arm(a, d, (60, 0, 0, 60, 120, 0)))) is None
     meet = (0, *a[1:])
-    assert (
-        reduce_six_joints(exact_model(arm(meet, d, (60, 45, 60, 60, 120, 0)))) is None
-    )
+    assert reduction_of(exact_model(arm(meet, d, (60, 45, 60, 60, 120, 0)))) is None
 
 
 def test_an_arm_without_rank_is_no_arm() -> None:
