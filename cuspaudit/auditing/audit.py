@@ -14,6 +14,7 @@ from cuspaudit.auditing.deciders.decide import decide
 from cuspaudit.auditing.deciders.ways import HAIR
 from cuspaudit.auditing.options import Options
 from cuspaudit.auditing.record import Audit
+from cuspaudit.auditing.structures import near_structures
 from cuspaudit.auditing.witness import Witness
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import (
@@ -49,6 +50,8 @@ def audit(robot: Robot, options: Options | None = None) -> Audit:
     found = _decide(robot, case, clock)
     with clock.stage("aspects"):
         found = _with_aspects(found, clock)
+    with clock.stage("structures"):
+        structures = near_structures(found)
     with clock.stage("literal"):
         verdict, proof = _literal(replace(case, so_far=found), clock)
     with clock.stage("crosscheck"):
@@ -65,6 +68,7 @@ def audit(robot: Robot, options: Options | None = None) -> Audit:
         options.seed,
         options.snap,
         proof,
+        structures,
     )
 
 

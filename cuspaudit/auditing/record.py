@@ -10,6 +10,7 @@ from typing import Any
 from cuspaudit.algebra.trigonometric import factor_on_circles
 from cuspaudit.auditing.answer import Answer
 from cuspaudit.auditing.crosscheck.compare import CrossCheck
+from cuspaudit.auditing.structures import Structure
 from cuspaudit.auditing.witness import Witness
 from cuspaudit.count import Count
 from cuspaudit.cuspidality.verdict import Verdict
@@ -42,6 +43,7 @@ class Audit:
         answer: the exact answer for it.
         literal: the verdict for the literal chain.
         literal_witness: proves it CUSPIDAL where ``witness`` is not for that chain.
+        structures: that would decide the arm, nearest first; they decide nothing here.
         check: the comparison with Pinocchio.
         seconds: time of each stage.
         seed: of the random choices.
@@ -58,6 +60,7 @@ class Audit:
     seed: int
     policy: SnapPolicy = DEFAULT_POLICY
     literal_witness: Witness | None = None
+    structures: tuple[Structure, ...] = ()
 
     @property
     def verdict(self) -> Verdict:
@@ -96,7 +99,7 @@ class Audit:
             "models": {"literal": self.literal.value, "snapped": self.verdict.value},
             "limits": None,
             "cusp": None,
-            "structures": None,
+            "structures": self._structures(),
             "margin": None,
             "tolerance": None,
             "crosscheck": asdict(self.check),
@@ -105,6 +108,9 @@ class Audit:
             "versions": versions(PACKAGES),
             "seed": self.seed,
         }
+
+    def _structures(self) -> list[dict[str, Any]] | None:
+        return [structure.record() for structure in self.structures] or None
 
     def _robot(self) -> dict[str, Any]:
         chain = self.chain

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from rich.console import Console
 from rich.markup import escape
 from rich.table import Table
 from rich.text import Text
+
+from cuspaudit.robot.distance_text import distance_text, structure_words
 
 __all__ = ["print_summary", "print_understood"]
 
@@ -42,6 +44,7 @@ def print_summary(record: Mapping[str, Any], files: Mapping[str, Any]) -> None:
         "cross-check": _check_line(record["crosscheck"]),
         "pigeon-hole": _crowd(record.get("crowd")),
         "pairs": _pairs((record["undecided"] or {}).get("pairs")),
+        "nearest": _nearest(record.get("structures")),
         "settled by": (record["undecided"] or {}).get("would_settle"),
     }
     if witness and witness["clearance"] is not None:
@@ -61,6 +64,18 @@ def _hair(witness: Mapping[str, Any] | None) -> str:
     if witness is None or witness["clearance"] is None:
         return ""
     return f", with clearance {witness['clearance']:.1e}"
+
+
+def _nearest(structures: Sequence[Mapping[str, Any]] | None) -> str | None:
+    """The nearest structure that the arm does not have, and what it would decide."""
+    away = next((s for s in structures or () if not s["holds"]), None)
+    if away is None:
+        return None
+    distance = distance_text(away["length"], away["angle"], away["unit"])
+    return (
+        f"{structure_words(away['name'])} is {distance} away: "
+        f"{away['verdict'] or 'its verdict is open'}"
+    )
 
 
 def _crowd(crowd: Mapping[str, Any] | None) -> str | None:

@@ -25,6 +25,7 @@ from cuspaudit.viz.page_rows import (
     part,
     posture_rows,
     proof_rows,
+    structure_rows,
     verdict_words,
 )
 from cuspaudit.viz.scene.meshcat_commands import viewer_license, viewer_script
@@ -63,6 +64,7 @@ def render_page(
             counts=counts(audit),
             models=model_rows(audit),
             proof=proof_rows(audit),
+            structures=structure_rows(audit),
             postures=posture_rows(audit, scene),
             no_path=no_path_reason(audit),
             certificate=_certificate(audit, certificate),

@@ -7,11 +7,13 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from cuspaudit.robot.distance_text import distance_text, structure_words
 from cuspaudit.viz.scene.scene import Scene
 
 __all__ = [
     "Count",
     "PostureRow",
+    "StructureRow",
     "VerdictWords",
     "counts",
     "model_rows",
@@ -20,6 +22,7 @@ __all__ = [
     "part",
     "posture_rows",
     "proof_rows",
+    "structure_rows",
     "verdict_words",
 ]
 
@@ -56,6 +59,18 @@ class PostureRow:
     unit: str
     values: tuple[str, ...]
     degrees: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class StructureRow:
+    """A structure that would decide the arm, and what it takes to have it."""
+
+    name: str
+    way: str
+    distance: str
+    moves: str
+    verdict: str
+    aspects: str
 
 
 def number(value: Any, digits: int = 6) -> str:
@@ -218,3 +233,34 @@ def _counted(value: Any) -> tuple[str, bool | None]:
     found = next((value[k] for k in ("count", "max") if k in value), None)
     proved = value.get("proved")
     return number(found), proved if isinstance(proved, bool) else None
+
+
+def structure_rows(audit: Audit) -> list[StructureRow]:
+    """The structures near the arm, nearest first."""
+    return [
+        StructureRow(
+            structure_words(str(entry.get("name"))),
+            str(entry.get("way") or ""),
+            "it holds" if entry.get("holds") is True else _distance(entry, entry),
+            ", ".join(
+                f"axis {number(move.get('axis'))} by {_distance(move, entry)}"
+                for move in _mappings(entry.get("moves"))
+            ),
+            str(entry.get("verdict") or "open"),
+            f"{number(entry['aspects'])} aspects" if entry.get("aspects") else "",
+        )
+        for entry in _mappings(audit.get("structures"))
+    ]
+
+
+def _mappings(value: Any) -> list[Audit]:
+    """The mappings of a list; an audit from elsewhere may hold anything."""
+    entries = value if isinstance(value, list) else []
+    return [entry for entry in entries if isinstance(entry, Mapping)]
+
+
+def _distance(values: Audit, structure: Audit) -> str:
+    length, angle = values.get("length"), values.get("angle")
+    if not isinstance(length, int | float) or not isinstance(angle, int | float):
+        return number(None)
+    return distance_text(length, angle, str(structure.get("unit")))

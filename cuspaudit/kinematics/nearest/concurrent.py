@@ -34,16 +34,16 @@ class Meeting:
     """Two links whose three axes meet in one point, at which their steps are 0.
 
     Attributes:
-        length: the longer of both shifts, in the chain's unit.
-        angle: the larger of both tilts, in rad.
+        lengths: the shifts of the second and of the third axis, in the chain's unit.
+        angles: their tilts, in rad.
         first: the link of the first two axes.
         second: the link of the last two.
         before: how far along the first axis the point is from its place.
         after: how far along the last axis it is from its place.
     """
 
-    length: float
-    angle: float
+    lengths: tuple[float, float]
+    angles: tuple[float, float]
     first: Link
     second: Link
     before: float
@@ -51,7 +51,7 @@ class Meeting:
 
     def size(self, reach: float) -> float:
         """The larger of length over reach and angle."""
-        return max(self.length / reach, self.angle)
+        return max(max(self.lengths) / reach, *self.angles)
 
 
 def concurrent(first: Link, second: Link, reach: float) -> Meeting | None:
@@ -66,9 +66,9 @@ def concurrent(first: Link, second: Link, reach: float) -> Meeting | None:
     s = float((first.step + m * first.next) @ first.axis)
     plain = _meeting(first, second, m, s, (0.0, 0.0))
     lever = max(abs(m), float(np.linalg.norm(m * second.axis - second.step)))
-    if PREFERRED * reach > reach + lever or plain.length == 0:
+    if PREFERRED * reach > reach + lever or max(plain.lengths) == 0:
         return plain
-    m, s = _tilting(first, second, (m, s), plain.length, reach)
+    m, s = _tilting(first, second, (m, s), max(plain.lengths), reach)
     tilts = _tilts(first, second, m, s, reach)
     mixture = _meeting(first, second, m, s, (float(tilts[0]), float(tilts[1])))
     much = plain.size(reach) > PREFERRED * mixture.size(reach)
@@ -162,10 +162,10 @@ def _meeting(
     towards = math.copysign(1.0, float(other @ second.next)) * other
     last = _tilted(second.next, towards, tilts[1])
     after = float(other @ last)
-    shifts = (np.linalg.norm(point - m * between), np.linalg.norm(other - after * last))
+    shifts = (point - m * between, other - after * last)
     return Meeting(
-        float(max(shifts)),
-        max(tilts),
+        (float(np.linalg.norm(shifts[0])), float(np.linalg.norm(shifts[1]))),
+        tilts,
         first.with_step(nothing, between),
         second.with_step(nothing, last),
         s,

@@ -16,6 +16,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 from cuspaudit.kinematics.exact_model import ExactModel, exact_model
 from cuspaudit.kinematics.nearest.concurrent import Meeting, concurrent
@@ -28,11 +29,28 @@ from cuspaudit.kinematics.nearest.meeting import (
     square_and_meeting,
 )
 from cuspaudit.kinematics.nearest.patterns import Pattern, Relation, Way, patterns_for
+from cuspaudit.kinematics.theorems.theorem import Reduction
 
-__all__ = ["NearStructure", "nearest_structures"]
+__all__ = ["AxisMove", "NearStructure", "nearest_structures"]
 
+_ROUNDING = 1e-12
 _TRIED = 4
 """So many ways of a pattern are written out, nearest first, until one passes."""
+
+
+@dataclass(frozen=True)
+class AxisMove:
+    """How an axis moves, seen from the one before it.
+
+    Attributes:
+        axis: its number, from 1; a virtual joint counts.
+        length: of its shift, in the chain's unit.
+        angle: of its tilt, in rad.
+    """
+
+    axis: int
+    length: float
+    angle: float
 
 
 @dataclass(frozen=True, eq=False)
@@ -46,7 +64,9 @@ class NearStructure:
         angle: the largest tilt of an axis, in rad.
         size: the larger of length over reach and angle.
         way: how the axes stand then.
+        moves: the axes that move.
         model: of the arm that has it.
+        reduction: what the theorem says of that arm.
     """
 
     name: str
@@ -55,7 +75,9 @@ class NearStructure:
     angle: float
     size: float
     way: str
+    moves: tuple[AxisMove, ...]
     model: ExactModel
+    reduction: Reduction
 
 
 def nearest_structures(model: ExactModel) -> tuple[NearStructure, ...]:
@@ -109,24 +131,30 @@ class _Arm:
 
 def _nearest(arm: _Arm, pattern: Pattern) -> NearStructure | None:
     held = next((way for way in pattern.ways if arm.has(way)), None)
-    if held is not None and pattern.holds(arm.model):
-        way = _sentence(held)
-        return NearStructure(pattern.name, True, 0.0, 0.0, 0.0, way, arm.model)
+    if held is not None:
+        reduction, way = pattern.theorem.apply(arm.model), _sentence(held)
+        if reduction is not None:
+            return NearStructure(
+                pattern.theorem.name, True, 0.0, 0.0, 0.0, way, (), arm.model, reduction
+            )
     ways = sorted(
         (moved for way in pattern.ways if (moved := _moved(way, arm))),
-        key=lambda moved: moved.size(arm.reach),
+        key=lambda moved: moved.size,
     )
     for moved in ways[:_TRIED]:
         model = exact_model(exact_arm(arm.model.chain, moved.links(arm.links)))
-        if pattern.holds(model):
+        reduction = pattern.theorem.apply(model)
+        if reduction is not None:
             return NearStructure(
-                pattern.name,
+                pattern.theorem.name,
                 False,
                 moved.length,
                 moved.angle,
-                moved.size(arm.reach),
+                moved.size,
                 _sentence(moved.way),
+                moved.axes,
                 model,
+                reduction,
             )
     return None
 
@@ -137,20 +165,43 @@ class _Moved:
 
     way: Way
     moves: tuple[Move | Meeting, ...]
+    reach: float
+
+    @cached_property
+    def axes(self) -> tuple[AxisMove, ...]:
+        """The axes that move by more than rounding, base to tip."""
+        found = []
+        for relation, move in zip(self.way, self.moves, strict=True):
+            if isinstance(move, Move):
+                found.append((relation.first + 1, move.length, move.angle))
+            else:
+                first, second = zip(move.lengths, move.angles, strict=True)
+                found.append((relation.first + 1, *first))
+                found.append((relation.first + 2, *second))
+        clean = (
+            AxisMove(
+                axis,
+                length if length > _ROUNDING * self.reach else 0.0,
+                angle if angle > _ROUNDING else 0.0,
+            )
+            for axis, length, angle in sorted(found)
+        )
+        return tuple(axis for axis in clean if axis.length or axis.angle)
 
     @property
     def length(self) -> float:
         """The largest shift."""
-        return max(move.length for move in self.moves)
+        return max((axis.length for axis in self.axes), default=0.0)
 
     @property
     def angle(self) -> float:
         """The largest tilt."""
-        return max(move.angle for move in self.moves)
+        return max((axis.angle for axis in self.axes), default=0.0)
 
-    def size(self, reach: float) -> float:
+    @property
+    def size(self) -> float:
         """The larger of length over reach and angle."""
-        return max(self.length / reach, self.angle)
+        return max(self.length / self.reach, self.angle)
 
     def links(self, links: Sequence[Link]) -> list[Link]:
         """All links of the arm after the moves."""
@@ -177,7 +228,7 @@ def _slide_places(links: list[Link], k: int, move: Meeting) -> None:
 
 def _moved(way: Way, arm: _Arm) -> _Moved | None:
     found = [move for relation in way if (move := arm.least(relation)) is not None]
-    return _Moved(way, tuple(found)) if len(found) == len(way) else None
+    return _Moved(way, tuple(found), arm.reach) if len(found) == len(way) else None
 
 
 def _sentence(way: Way) -> str:

@@ -10,13 +10,16 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from itertools import product
-from typing import Literal
 
-from cuspaudit.kinematics.exact_model import ExactModel, exact_model
+from cuspaudit.kinematics.exact_model import ExactModel
 from cuspaudit.kinematics.neighbors import concurrent, coplanar, orthogonal, parallel
-from cuspaudit.kinematics.theorems.registry import reduction_of
-from cuspaudit.kinematics.theorems.triple_and_pair import PLACES, triple_and_pair
-from cuspaudit.robot.chain import Chain, reverse
+from cuspaudit.kinematics.theorems.neighbouring_axes import NEIGHBOURING_AXES
+from cuspaudit.kinematics.theorems.spherical_shoulder import SPHERICAL_SHOULDER
+from cuspaudit.kinematics.theorems.spherical_wrist import SPHERICAL_WRIST
+from cuspaudit.kinematics.theorems.theorem import Theorem
+from cuspaudit.kinematics.theorems.triple_and_pair import PLACES, TRIPLE_AND_PAIR
+from cuspaudit.kinematics.theorems.ur_pattern import UR_PATTERN
+from cuspaudit.robot.chain import Chain
 
 __all__ = ["Pattern", "Relation", "Way", "patterns_for"]
 
@@ -30,7 +33,7 @@ class Relation:
         first: the number of the first axis, from 1.
     """
 
-    kind: Literal["parallel", "meet", "meet at right angles", "meet in one point"]
+    kind: str
     first: int
 
     def holds(self, model: ExactModel) -> bool:
@@ -52,36 +55,17 @@ class Pattern:
     """A structure that a theorem asks for.
 
     Attributes:
-        name: of the structure.
-        turning: the numbers of the joints that have to turn.
-        ways: how axes may stand to have it.
-        holds: the theorem's own test of an exact model.
+        theorem: which one.
+        ways: how axes may stand to have the structure.
     """
 
-    name: str
-    turning: tuple[int, ...]
+    theorem: Theorem
     ways: tuple[Way, ...]
-    holds: Callable[[ExactModel], bool]
 
 
 def patterns_for(chain: Chain) -> tuple[Pattern, ...]:
     """The patterns of theorems on arms with the joints and the task of ``chain``."""
-    patterns = {("position", 3): _THREE, ("pose", 6): _SIX}.get(
-        (chain.task, len(chain.joints)), ()
-    )
-    return tuple(
-        pattern
-        for pattern in patterns
-        if all(chain.kinds[k - 1] == "revolute" for k in pattern.turning)
-    )
-
-
-def _has(kind: str) -> Callable[[ExactModel], bool]:
-    def test(model: ExactModel) -> bool:
-        found = reduction_of(model)
-        return found is not None and found.kind == kind
-
-    return test
+    return tuple(each for each in _PATTERNS if each.theorem.speaks_of(chain))
 
 
 def _meet_at_right_angles(model: ExactModel, first: int) -> bool:
@@ -96,14 +80,6 @@ _TESTS: dict[str, Callable[[ExactModel, int], bool]] = {
 }
 
 
-def _has_shoulder(model: ExactModel) -> bool:
-    return _has("spherical wrist")(exact_model(reverse(model.chain)))
-
-
-def _has_triple_and_pair(model: ExactModel) -> bool:
-    return triple_and_pair(model) is not None
-
-
 def _triple(first: int) -> tuple[Way, ...]:
     """Three axes in a row that are parallel, or meet in one point."""
     level = (Relation("parallel", first), Relation("parallel", first + 1))
@@ -115,47 +91,28 @@ def _pair(first: int) -> tuple[Way, ...]:
     return ((Relation("parallel", first),), (Relation("meet", first),))
 
 
-_SIX = (
+_PATTERNS = (
+    Pattern(SPHERICAL_WRIST, ((Relation("meet in one point", 4),),)),
+    Pattern(SPHERICAL_SHOULDER, ((Relation("meet in one point", 1),),)),
     Pattern(
-        "spherical wrist",
-        (4, 5, 6),
-        ((Relation("meet in one point", 4),),),
-        _has("spherical wrist"),
-    ),
-    Pattern(
-        "spherical shoulder",
-        (1, 2, 3),
-        ((Relation("meet in one point", 1),),),
-        _has_shoulder,
-    ),
-    Pattern(
-        "UR pattern",
-        (1, 2, 3, 4, 5, 6),
+        UR_PATTERN,
         (
             (
                 *(Relation("parallel", k) for k in (2, 3)),
                 *(Relation("meet at right angles", k) for k in (1, 4, 5)),
             ),
         ),
-        _has("UR pattern"),
     ),
     Pattern(
-        "triple and pair",
-        (1, 2, 3, 4, 5, 6),
+        TRIPLE_AND_PAIR,
         tuple(
             triple + pair
             for first, other in PLACES
             for triple, pair in product(_triple(first), _pair(other))
         ),
-        _has_triple_and_pair,
+    ),
+    *(
+        Pattern(theorem, ((Relation(kind, first),),))
+        for (first, kind), theorem in NEIGHBOURING_AXES.items()
     ),
 )
-_THREE = tuple(
-    Pattern(f"axes {k} and {k + 1} {word}", (1, 2, 3), ((relation,),), relation.holds)
-    for k in (1, 2)
-    for word, relation in (
-        ("parallel", Relation("parallel", k)),
-        ("meeting", Relation("meet", k)),
-    )
-)
-"""For these the theorem is `neighbouring_axes`."""

@@ -34,14 +34,29 @@ the second factor is r.(z x (M - O)), up to a constant the derivative by theta1 
 |p - M|^2 for p at rest, which has a constant value: its sign fixes theta1. Then u2.r is
 known, and its derivative by theta3 is +-r.(u2 x u3), whose sign fixes theta3. Last, r
 is not along axis 2, so theta2 is what carries r to its place.
+
+Aspects, where axes 2, 3 are parallel and axis 1 is not: with rho(theta3) the length of
+(X, Y), the part a + X > 0 (take a >= 0) over a theta3 is an arc or a circle of theta2,
+with X = rho in it, so over the half circle sin(theta3) > 0 it is connected. The part
+a + X < 0 is an arc with X = -rho in it where rho > a, which is an interval of that half
+circle, since rho falls there from l2 + l3; it is empty if a >= l2 + l3. The half circle
+sin(theta3) < 0 has as many. So there are 4 aspects, or 2 if a > l2 + l3.
 """
 
 from __future__ import annotations
 
-from cuspaudit.kinematics.exact_model import ExactModel
-from cuspaudit.kinematics.neighbors import coplanar, parallel
+from collections.abc import Callable
+from functools import partial
 
-__all__ = ["neighbouring_axes"]
+from flint import arb
+
+from cuspaudit.kinematics.exact_model import ExactModel
+from cuspaudit.kinematics.neighbors import coplanar, direction, parallel
+from cuspaudit.kinematics.regular import is_regular_somewhere
+from cuspaudit.kinematics.theorems.theorem import Reduction, Theorem
+from cuspaudit.kinematics.transform import Column, cross, dot
+
+__all__ = ["NEIGHBOURING_AXES", "aspects_of_parallel_axes", "neighbouring_axes"]
 
 
 def neighbouring_axes(model: ExactModel) -> str | None:
@@ -59,3 +74,65 @@ def neighbouring_axes(model: ExactModel) -> str | None:
             word = "are parallel" if parallel(model, first) else "meet"
             return f"axes {first}, {first + 1} {word}"
     return None
+
+
+def aspects_of_parallel_axes(model: ExactModel) -> int | None:
+    """The number of aspects where axes 2 and 3 are parallel and axis 1 is not.
+
+    None for other arms, and where balls do not tell a from l2 + l3.
+
+    Args:
+        model: three joints that turn, task "position"; det J not identically 0.
+    """
+    if parallel(model, 1) or not parallel(model, 2):
+        return None
+    first, second, third = model.joints
+    normal = cross(model.ring, first.axis, direction(model, 1))
+    between = dot(model.ring, second.before.translation, normal)
+    offset = _length(model, (between,)) / _length(model, normal)
+    links = (
+        _length(model, cross(model.ring, joint.axis, step))
+        for joint, step in (
+            (second, third.before.translation),
+            (third, model.tool.translation),
+        )
+    )
+    left = sum(links, start=-offset)
+    if left > 0:
+        return 4
+    return 2 if left < 0 else None
+
+
+def _length(model: ExactModel, vector: Column) -> arb:
+    """The length of a constant vector."""
+    square = model.ring.reduce(dot(model.ring, vector, vector))
+    return model.ring.evaluate(square, {}).sqrt()
+
+
+def _apply(
+    test: Callable[[ExactModel, int], bool], first: int, name: str, model: ExactModel
+) -> Reduction | None:
+    if not test(model, first) or not is_regular_somewhere(model):
+        return None
+    why = f"{name}: two signs along a nonsingular path tell all postures of a place"
+    return Reduction(name, f"{why} apart")
+
+
+def _theorem(first: int, word: str, test: Callable[[ExactModel, int], bool]) -> Theorem:
+    name = f"axes {first} and {first + 1} {word}"
+    apply = partial(_apply, test, first, name)
+    return Theorem(name, "position", 3, (1, 2, 3), name, apply)
+
+
+NEIGHBOURING_AXES: dict[tuple[int, str], Theorem] = {
+    (first, kind): _theorem(first, word, test)
+    for first in (1, 2)
+    for kind, word, test in (
+        ("parallel", "parallel", parallel),
+        ("meet", "meeting", coplanar),
+    )
+}
+"""The theorem, one for each relation, by the number of its first axis and the verb.
+
+They are not in the registry: Algorithm 1 decides three joints, and counts more.
+"""

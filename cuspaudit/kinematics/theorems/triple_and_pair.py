@@ -59,7 +59,7 @@ from __future__ import annotations
 
 from cuspaudit.kinematics.exact_model import ExactModel
 from cuspaudit.kinematics.neighbors import concurrent, coplanar, parallel
-from cuspaudit.kinematics.polynomial_map import jacobian_determinant
+from cuspaudit.kinematics.regular import is_regular_somewhere
 from cuspaudit.kinematics.theorems.theorem import Reduction, Theorem
 
 __all__ = ["PLACES", "TRIPLE_AND_PAIR", "triple_and_pair"]
@@ -78,7 +78,7 @@ def triple_and_pair(model: ExactModel) -> str | None:
         triple = _triple(model, first)
         if triple is None or not coplanar(model, other):
             continue
-        if jacobian_determinant(model) == 0:
+        if not is_regular_somewhere(model):
             return None
         pair = "are parallel" if parallel(model, other) else "meet"
         return f"{triple} and axes {other}, {other + 1} {pair}"

@@ -6,7 +6,10 @@ import pytest
 from short_tables import Number, arm, ask
 
 from cuspaudit.kinematics.exact_model import exact_model
-from cuspaudit.kinematics.theorems.neighbouring_axes import neighbouring_axes
+from cuspaudit.kinematics.theorems.neighbouring_axes import (
+    aspects_of_parallel_axes,
+    neighbouring_axes,
+)
 
 Columns = tuple[tuple[Number, ...], tuple[Number, ...], tuple[Number, ...]]
 HOLD: dict[str, Columns] = {
@@ -31,3 +34,17 @@ def test_other_arms_are_not_settled() -> None:
     assert ask(chain).verdict.value == "cuspidal"
     assert neighbouring_axes(exact_model(chain)) is None
     assert neighbouring_axes(exact_model(arm(*HOLD["axes 1, 2 meet"], "RRP"))) is None
+
+
+@pytest.mark.parametrize(
+    ("lengths", "count"), [((1, 2, "3/2"), 4), ((4, 2, "3/2"), 2), ((0, 2, 2), 4)]
+)
+def test_parallel_axes_have_so_many_aspects(
+    lengths: tuple[Number, ...], count: int
+) -> None:
+    """As many as Algorithm 1 counts, if axis 1 is within reach and if it is not."""
+    chain = arm(lengths, (0, 1, "1/3"), (-90, 180, 0))
+    assert aspects_of_parallel_axes(exact_model(chain)) == count
+    found = ask(chain).aspects
+    assert found is not None
+    assert found.count == count

@@ -1,0 +1,119 @@
+"""The structures near an audited arm, with the verdict of the arm that has each.
+
+The theorems settle the nearest arms alone: a pattern that is noncuspidal by itself, and
+a spherical wrist or shoulder whose three joints have parallel or meeting neighbours.
+Algorithm 1 is not run for them, so the verdict of a wrist on other three joints is left
+open. None of it says anything of the robot, unless the structure holds.
+"""
+
+from __future__ import annotations
+
+from dataclasses import asdict, dataclass
+from typing import Any
+
+from cuspaudit.auditing.answer import Answer
+from cuspaudit.auditing.aspects import count_aspects
+from cuspaudit.count import Count
+from cuspaudit.cuspidality.verdict import Verdict
+from cuspaudit.kinematics.exact_model import ExactModel
+from cuspaudit.kinematics.nearest.nearest_structures import (
+    AxisMove,
+    NearStructure,
+    nearest_structures,
+)
+from cuspaudit.kinematics.regular import is_regular_somewhere
+from cuspaudit.kinematics.theorems.neighbouring_axes import (
+    aspects_of_parallel_axes,
+    neighbouring_axes,
+)
+from cuspaudit.kinematics.theorems.registry import reduction_of
+
+__all__ = ["Structure", "near_structures"]
+
+
+@dataclass(frozen=True)
+class Structure:
+    """A structure that decides, and how far the audited arm is from having it.
+
+    Attributes:
+        name: of the structure.
+        holds: whether the arm has it exactly.
+        length: the largest shift of an axis that a nearest arm with it needs.
+        angle: the largest tilt of an axis that it needs, in rad.
+        unit: of lengths.
+        verdict: of that arm; None where no theorem alone settles it.
+        aspects: of that arm; None where they are not counted.
+        way: how its axes stand.
+        moves: the axes that move.
+    """
+
+    name: str
+    holds: bool
+    length: float
+    angle: float
+    unit: str
+    verdict: Verdict | None
+    aspects: int | None
+    way: str
+    moves: tuple[AxisMove, ...]
+
+    def record(self) -> dict[str, Any]:
+        """As JSON."""
+        verdict = None if self.verdict is None else self.verdict.value
+        moves = [asdict(move) for move in self.moves]
+        return {**asdict(self), "verdict": verdict, "moves": moves}
+
+
+def near_structures(found: Answer) -> tuple[Structure, ...]:
+    """The structures near the arm of an answer, nearest first."""
+    near = nearest_structures(found.model)
+    judged = (_judged(structure, found) for structure in near)
+    return tuple(structure for structure in judged if structure is not None)
+
+
+def _judged(near: NearStructure, found: Answer) -> Structure | None:
+    """With verdict and aspects; None where det J of that arm vanishes everywhere."""
+    verdict: Verdict | None = found.verdict
+    aspects = found.aspects
+    if not near.holds:
+        if not is_regular_somewhere(near.model):
+            return None
+        verdict = Verdict.NONCUSPIDAL if _is_settled(near) else None
+        aspects = _aspects(near)
+    return Structure(
+        near.name,
+        near.holds,
+        near.length,
+        near.angle,
+        near.model.chain.unit,
+        verdict,
+        aspects.count if aspects and aspects.proved else None,
+        near.way,
+        near.moves,
+    )
+
+
+def _is_settled(near: NearStructure) -> bool:
+    """Whether a theorem alone says that the arm is noncuspidal."""
+    regional = near.reduction.regional
+    return regional is None or neighbouring_axes(regional) is not None
+
+
+def _aspects(near: NearStructure) -> Count | None:
+    """Counted on the three joints, where the arm has a wrist or shoulder."""
+    if len(near.model.joints) == 3:
+        return _aspects_of_three(near.model)
+    # a triple and a pair may be a wrist and two others
+    found = near.reduction if near.reduction.regional else reduction_of(near.model)
+    if found is None or found.regional is None:
+        known = near.reduction.aspects
+        return Count(known, True) if known else count_aspects(near.model)
+    regional = _aspects_of_three(found.regional)
+    return Count(2 * regional.count, regional.proved) if regional else None
+
+
+def _aspects_of_three(model: ExactModel) -> Count | None:
+    known = None
+    if set(model.chain.kinds) == {"revolute"}:
+        known = aspects_of_parallel_axes(model)
+    return Count(known, True) if known else count_aspects(model)

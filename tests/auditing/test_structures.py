@@ -1,0 +1,98 @@
+"""The structures near an audited arm, and what is said of them."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+from short_tables import arm, ask, shift, with_wrist
+
+from cuspaudit.auditing.audit import audit
+from cuspaudit.auditing.options import Options
+from cuspaudit.auditing.structures import Structure, near_structures
+from cuspaudit.cli.summary import print_summary
+from cuspaudit.cuspidality.verdict import Verdict
+from cuspaudit.kinematics.exact_model import exact_model
+from cuspaudit.kinematics.nearest.nearest_structures import nearest_structures
+from cuspaudit.robot.chain import Chain
+from cuspaudit.robot.library import open_robot
+from cuspaudit.viz import render_page
+
+ELBOW = ((0, 2, "3/2"), (1, "1/4", 0), (90, 180, 0))
+"""Axes 1, 2 meet and axes 2, 3 are parallel, as in most arms of the industry."""
+CUSPIDAL = ((1, 2, "3/2"), (0, 1, 0), (90, -90, 0))
+
+
+def broken(chain: Chain) -> Chain:
+    """Axis 6 stands 1/1000 beside the point in which it met axes 4 and 5."""
+    *joints, last = chain.joints
+    aside = (shift("1/1000", 0, 0), *last.before)
+    return chain.with_joints([*joints, replace(last, before=aside)])
+
+
+def near(chain: Chain) -> dict[str, Structure]:
+    """The structures near a chain, by name."""
+    return {found.name: found for found in near_structures(ask(chain))}
+
+
+def test_a_broken_wrist_has_the_verdict_of_the_whole_one() -> None:
+    """A hair beside a noncuspidal arm: undecided itself, and the hair is named."""
+    chain = with_wrist(arm(*ELBOW))
+    whole, found = ask(chain), near(broken(chain))
+    assert ask(broken(chain)).verdict is Verdict.UNDECIDED
+    wrist = found["spherical wrist"]
+    assert wrist.length == pytest.approx(0.001)
+    assert wrist.verdict is whole.verdict is Verdict.NONCUSPIDAL
+    assert whole.aspects is not None
+    assert wrist.aspects == whole.aspects.count == 8
+
+
+def test_a_wrist_on_other_joints_is_left_open() -> None:
+    """Three joints that no theorem settles give the nearest arm no verdict."""
+    chain = with_wrist(arm(*CUSPIDAL))
+    assert ask(chain).verdict is Verdict.CUSPIDAL
+    assert near(broken(chain))["spherical wrist"].verdict is None
+
+
+@pytest.mark.parametrize(
+    "name", ["ur5", "puma-560", "chablat-2022-3r", "baili-2004-wt1", "ur3"]
+)
+def test_verdicts_are_those_of_the_engine(name: str) -> None:
+    """The exact answer for each nearest arm agrees in verdict and aspects."""
+    calibrated = arm(
+        (0, "-0.24", "-0.18", 0, 0, 0),
+        ("0.15", "0.01", 0, "0.11", "0.085", "0.08"),
+        (90, "1/10", "1/10", 90, -90, 0),
+    )
+    chain = calibrated if name == "ur3" else open_robot(name).chain
+    answered = ask(chain)
+    judged = {found.name: found for found in near_structures(answered)}
+    for found in nearest_structures(answered.model):
+        own = ask(found.model.chain)
+        if judged[found.name].verdict is not None:
+            assert judged[found.name].verdict is own.verdict
+        if judged[found.name].aspects is not None and own.aspects is not None:
+            assert judged[found.name].aspects == own.aspects.count
+
+
+def test_an_audit_names_the_nearest(capsys: pytest.CaptureFixture[str]) -> None:
+    """JSON, terminal and page say how far, and what would follow."""
+    found = audit(open_robot("chablat-2022-3r"), Options())
+    record = found.record()
+    sizes = [entry["angle"] for entry in record["structures"]]
+    assert sizes == sorted(sizes)
+    assert {entry["verdict"] for entry in record["structures"]} == {"noncuspidal"}
+    print_summary(record, {})
+    said = " ".join(capsys.readouterr().out.split())
+    assert "an arm with axes 1 and 2 meeting is 888 mm and 11 deg away" in said
+    page = render_page(record)
+    assert "Nearest structures" in page
+    assert "axis 2 by 888 mm and 11 deg" in page
+
+
+def test_tasks_without_patterns_have_no_structures() -> None:
+    """Four joints with an angle: null in the JSON, no card, no line."""
+    found = audit(open_robot("adept-cobra-600"), Options())
+    assert exact_model(found.chain).chain.task == "position-and-angle"
+    assert found.record()["structures"] is None
+    assert "Nearest structures" not in render_page(found.record())
