@@ -1,0 +1,24 @@
+// The second checker: is the claim of a certificate proved by the certificate alone?
+// Written from docs/certificate.md. It needs nothing but the language, in Node or a browser.
+
+import { readCertificate } from "./certificate.js";
+import { provePath } from "./path.js";
+import { Refusal } from "./rational.js";
+import { proveStructure } from "./structure.js";
+
+/** Checks the text of a certificate: {accepted, reason}, the reason a sentence. */
+export function checkCertificate(text) {
+  try {
+    return { accepted: true, reason: prove(readCertificate(text)) };
+  } catch (error) {
+    if (error instanceof Refusal) return { accepted: false, reason: error.message };
+    if (error instanceof RangeError) return { accepted: false, reason: "too large to be checked" };
+    throw error;
+  }
+}
+
+function prove(certificate) {
+  if (certificate.limits) throw new Refusal("a claim within limits is not checked here");
+  if (certificate.tolerance) throw new Refusal("a claim over a tolerance is not checked here");
+  return certificate.kind === "path" ? provePath(certificate) : proveStructure(certificate);
+}
