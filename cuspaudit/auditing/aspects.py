@@ -12,8 +12,9 @@ from __future__ import annotations
 from cuspaudit.count import Count
 from cuspaudit.errors import UnableError
 from cuspaudit.geometry.torus.components import TorusComponents, torus_components
-from cuspaudit.kinematics.exact_model import ExactModel, circle_names
-from cuspaudit.kinematics.polynomial_map import jacobian_determinant
+from cuspaudit.kinematics.determinant import jacobian_determinant
+from cuspaudit.kinematics.exact_model import ExactModel
+from cuspaudit.kinematics.fact import fact
 
 __all__ = ["aspect_components", "count_aspects"]
 
@@ -34,13 +35,38 @@ def aspect_components(
         UnableError: det J is linear along no circle and no cover settles it, or it
             depends on a joint that slides.
     """
+    found = _without_covers(model)
+    if isinstance(found, TorusComponents):
+        return found
+    if timeout is None or _slide(model) is not None:
+        raise found
+    return torus_components(
+        model.ring, model.circles, jacobian_determinant(model), timeout
+    )
+
+
+@fact
+def _without_covers(model: ExactModel) -> TorusComponents | UnableError:
+    """The aspects as a theorem counts them, or why none does."""
+    slide = _slide(model)
+    if slide is not None:
+        return UnableError("aspects", f"det J depends on {slide}, which slides")
+    try:
+        return torus_components(
+            model.ring, model.circles, jacobian_determinant(model), None
+        )
+    except UnableError as limit:
+        return limit
+
+
+def _slide(model: ExactModel) -> str | None:
+    """The name of a joint that slides and that det J depends on."""
     determinant = jacobian_determinant(model)
     degrees, index = determinant.degrees(), model.ring.context.variable_to_index
     for joint in model.joints:
         if joint.kind == "prismatic" and degrees[index(joint.variables[0])]:
-            raise UnableError("aspects", f"det J depends on {joint.name}, which slides")
-    circles = circle_names(model)
-    return torus_components(model.ring, circles, determinant, timeout)
+            return joint.name
+    return None
 
 
 def count_aspects(model: ExactModel, timeout: float | None = None) -> Count | None:

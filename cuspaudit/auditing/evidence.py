@@ -10,8 +10,7 @@ import numpy as np
 
 from cuspaudit.algebra.parametrization import RealPoint
 from cuspaudit.algebra.ring import Rational
-from cuspaudit.kinematics.exact_model import ExactModel, circle_names
-from cuspaudit.robot.frames import angle_value
+from cuspaudit.kinematics.exact_model import ExactModel
 
 __all__ = ["Crowd", "Label", "PairMaximum", "PairRecord", "SearchRecord"]
 
@@ -125,10 +124,9 @@ class Crowd:
 
     def _angles(self, posture: RealPoint) -> list[float]:
         ball = posture.ball(_BITS)
-        joints = zip(circle_names(self.model), self.model.joints, strict=True)
+        pairs = zip(self.model.circles, self.model.zeros, strict=True)
         angles = [
-            math.atan2(ball[s].mid(), ball[c].mid()) - angle_value(joint.zero)
-            for (c, s), joint in joints
+            math.atan2(ball[s].mid(), ball[c].mid()) - zero for (c, s), zero in pairs
         ]
         return [float(np.remainder(a + np.pi, 2 * np.pi) - np.pi) for a in angles]
 

@@ -7,10 +7,11 @@ from dataclasses import asdict
 from fractions import Fraction
 from typing import Any
 
-from cuspaudit.algebra.trigonometric import factor_on_circles
 from cuspaudit.errors import NoAngleError, UnableError
-from cuspaudit.kinematics.exact_model import ExactModel, circle_names, exact_model
-from cuspaudit.kinematics.polynomial_map import circles, jacobian_determinant, place
+from cuspaudit.kinematics.determinant import jacobian_determinant
+from cuspaudit.kinematics.exact_model import ExactModel, exact_model
+from cuspaudit.kinematics.export import factor_texts
+from cuspaudit.kinematics.polynomial_map import circles, place
 from cuspaudit.robot.chain import Angle, Motion
 from cuspaudit.robot.formats.motion_text import format_motion, format_vector
 from cuspaudit.robot.numbers import format_angle, format_rational
@@ -78,12 +79,10 @@ def _map(model: ExactModel) -> dict[str, Any]:
     }
     try:
         entries["R"] = [str(p) for p in place(model)]
-        determinant = jacobian_determinant(model)
+        entries["determinant"] = str(jacobian_determinant(model))
     except (NoAngleError, UnableError):
         return entries
-    factors = factor_on_circles(model.ring, circle_names(model), determinant)
-    entries["determinant"] = str(determinant)
-    entries["factors"] = [f"({p})^{n}" if n > 1 else str(p) for p, n in factors]
+    entries["factors"] = factor_texts(model)
     return entries
 
 

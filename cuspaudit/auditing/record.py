@@ -7,15 +7,14 @@ from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass
 from typing import Any
 
-from cuspaudit.algebra.trigonometric import factor_on_circles
 from cuspaudit.auditing.answer import Answer
 from cuspaudit.auditing.crosscheck.compare import CrossCheck
 from cuspaudit.auditing.structures import Structure
 from cuspaudit.auditing.witness import Witness
 from cuspaudit.count import Count
 from cuspaudit.cuspidality.verdict import Verdict
-from cuspaudit.kinematics.exact_model import circle_names
-from cuspaudit.kinematics.polynomial_map import jacobian_determinant
+from cuspaudit.kinematics.determinant import jacobian_determinant
+from cuspaudit.kinematics.export import factor_texts
 from cuspaudit.robot.chain import Angle, Chain
 from cuspaudit.robot.robot import Robot
 from cuspaudit.robot.snap_policy import DEFAULT_POLICY, SnapPolicy
@@ -202,12 +201,9 @@ class Audit:
 
 
 def _determinant(found: Answer) -> dict[str, Any]:
-    determinant = jacobian_determinant(found.model)
-    names = circle_names(found.model)
-    factors = factor_on_circles(found.model.ring, names, determinant)
     return {
-        "determinant": str(determinant),
-        "factors": [f"({p})^{n}" if n > 1 else str(p) for p, n in factors],
+        "determinant": str(jacobian_determinant(found.model)),
+        "factors": factor_texts(found.model),
     }
 
 

@@ -13,6 +13,10 @@ from collections import Counter
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
 
 from cuspaudit.algebra.ring import Ring
 from cuspaudit.errors import UnableError
@@ -34,13 +38,13 @@ from cuspaudit.robot.chain import (
     Translation,
     Vector,
 )
+from cuspaudit.robot.frames import angle_value
 from cuspaudit.robot.virtual_joint import with_virtual_joint
 
 __all__ = [
     "Approximation",
     "ExactJoint",
     "ExactModel",
-    "circle_names",
     "exact_model",
     "revolute_circles",
 ]
@@ -106,6 +110,19 @@ class ExactModel:
         """Whether no number was approximated."""
         return not self.approximations
 
+    @cached_property
+    def circles(self) -> list[tuple[str, str]]:
+        """The variables (c_i, s_i) of the revolute joints, base to tip."""
+        turning = (joint for joint in self.joints if joint.kind == "revolute")
+        return [(joint.variables[0], joint.variables[1]) for joint in turning]
+
+    @cached_property
+    def zeros(self) -> NDArray[np.float64]:
+        """What is added to each joint value to get the model's variable, in rad."""
+        zeros = np.array([angle_value(joint.zero) for joint in self.joints])
+        zeros.flags.writeable = False
+        return zeros
+
     def motion(self, joint: ExactJoint) -> Transform:
         """The transform of a joint's own motion, polynomial in its variables."""
         ring = self.ring
@@ -149,25 +166,16 @@ def exact_model(chain: Chain, tolerance: Fraction = TOLERANCE) -> ExactModel:
     return ExactModel(chain, ring, tuple(joints), tool, tuple(seen))
 
 
-def circle_names(model: ExactModel) -> list[tuple[str, str]]:
-    """The names (c_i, s_i) of the revolute joints, base to tip."""
-    joints = (joint for joint in model.joints if joint.kind == "revolute")
-    return [(joint.variables[0], joint.variables[1]) for joint in joints]
-
-
 def revolute_circles(model: ExactModel) -> list[tuple[str, str]]:
     """The variables (c_i, s_i) of each joint.
 
     Raises:
         UnableError: a joint is prismatic.
     """
-    circles = []
     for joint in model.joints:
         if joint.kind != "revolute":
             raise UnableError("aspects", f"joint {joint.name} is prismatic")
-        c, s = joint.variables
-        circles.append((c, s))
-    return circles
+    return model.circles
 
 
 def _names(number: int, joint: Joint) -> tuple[str, ...]:

@@ -9,20 +9,17 @@ from fractions import Fraction
 
 from cuspaudit.algebra.msolve import msolve_text
 from cuspaudit.algebra.ring import Polynomial, Ring
-from cuspaudit.algebra.trigonometric import factor_on_circles
 from cuspaudit.errors import UnableError
-from cuspaudit.kinematics.exact_model import ExactModel, circle_names
-from cuspaudit.kinematics.polynomial_map import (
-    circles,
-    jacobian_determinant,
-    place,
-)
+from cuspaudit.kinematics.determinant import determinant_factors, jacobian_determinant
+from cuspaudit.kinematics.exact_model import ExactModel
+from cuspaudit.kinematics.polynomial_map import circles, place
 from cuspaudit.robot.numbers import format_angle
 from cuspaudit.robot.task import DIMENSIONS
 from cuspaudit.robot.virtual_joint import without_virtual_joint
 
 __all__ = [
     "InverseKinematics",
+    "factor_texts",
     "inverse_kinematics",
     "msolve_system",
     "poly_text",
@@ -44,6 +41,11 @@ class InverseKinematics:
     ring: Ring
     equations: tuple[Polynomial, ...]
     posture: dict[str, Fraction]
+
+
+def factor_texts(model: ExactModel) -> list[str]:
+    """The factors of det J as a function on V, each with its power."""
+    return [f"({p})^{n}" if n > 1 else str(p) for p, n in determinant_factors(model)]
 
 
 def poly_text(model: ExactModel) -> str:
@@ -108,13 +110,11 @@ def _lines(model: ExactModel) -> Iterator[str]:
     names = [*"xyz", *turning.get(model.chain.task, [])]
     for name, p in zip(names, place(model), strict=True):
         yield f"  {name} = {p}"
-    determinant = jacobian_determinant(model)
     yield "det J"
-    yield f"  {determinant}"
+    yield f"  {jacobian_determinant(model)}"
     yield "det J, factors up to a constant"
-    factors = factor_on_circles(model.ring, circle_names(model), determinant)
-    for p, count in factors:
-        yield f"  ({p})^{count}" if count > 1 else f"  {p}"
+    for text in factor_texts(model):
+        yield f"  {text}"
 
 
 def _variables(model: ExactModel) -> Iterator[str]:

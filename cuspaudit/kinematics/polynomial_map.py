@@ -1,4 +1,4 @@
-"""From a chain to polynomials: the variety V = {f = 0}, the map R, and det J.
+"""From a chain to polynomials: the variety V = {f = 0} and the map R.
 
 Each revolute joint contributes c_i, s_i and the circle c_i^2 + s_i^2 - 1, a prismatic
 joint one free variable. The variables are those of the exact model: c_i and s_i are
@@ -8,20 +8,16 @@ taken at the joint value plus the joint's zero.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from itertools import combinations
 
-from cuspaudit.algebra.matrix import determinant
 from cuspaudit.algebra.ring import Polynomial, Ring
 from cuspaudit.algebra.system import PolynomialMap, PolynomialSystem
-from cuspaudit.errors import UnableError
 from cuspaudit.kinematics.common_direction import cos_sin_angle
 from cuspaudit.kinematics.exact_model import ExactJoint, ExactModel
-from cuspaudit.kinematics.transform import Column, Transform, cross, dot, identity
-from cuspaudit.robot.task import DIMENSIONS
+from cuspaudit.kinematics.fact import fact
+from cuspaudit.kinematics.transform import Column, Transform, cross, dot
 
 __all__ = [
     "KinematicMap",
-    "jacobian_determinant",
     "place",
     "polynomial_map",
     "reduce_circles",
@@ -44,6 +40,7 @@ class KinematicMap:
     rotation: PolynomialMap
 
 
+@fact
 def polynomial_map(model: ExactModel) -> KinematicMap:
     """V and the pose of the tip as polynomials on it [DESIGN 3]."""
     ring = model.ring
@@ -61,6 +58,7 @@ def polynomial_map(model: ExactModel) -> KinematicMap:
     )
 
 
+@fact
 def place(model: ExactModel) -> tuple[Polynomial, ...]:
     """The map R of the task: what two postures of one place agree in.
 
@@ -94,6 +92,7 @@ def reduce_circles(
     return ring.reduce(polynomial)
 
 
+@fact
 def reduced_map(model: ExactModel) -> tuple[PolynomialSystem, PolynomialMap]:
     """The plane map that decides a three-joint position task [DESIGN 5].
 
@@ -134,106 +133,6 @@ def reduced_map(model: ExactModel) -> tuple[PolynomialSystem, PolynomialMap]:
         PolynomialSystem(ring, circles(ring, rest)),
         PolynomialMap(ring, tuple(ring.from_other(p, full) for p in components)),
     )
-
-
-def jacobian_determinant(model: ExactModel) -> Polynomial:
-    """The determinant det J of the task, a polynomial reduced modulo the circles.
-
-    Rows are the linear velocity of the tip, then for a pose the angular velocity, for
-    an angle its part along the last axis that turns (the rate of the angle where
-    `four_joints.common_direction` finds one); columns are the joints. The determinant
-    does not depend on the base frame, nor (pose) on the point of the tip body that is
-    followed, so the screws are written in a frame in the middle of the chain, where
-    each depends on few joints [DESIGN 9].
-
-    Raises:
-        UnableError: the number of joints is not the dimension of the task.
-    """
-    task, count = model.chain.task, len(model.joints)
-    if count != DIMENSIONS[task]:
-        raise UnableError("det J", f"{count} joints for a {task} task")
-    build = _pose_determinant if task == "pose" else _point_determinant
-    return _on_circles(model, build(model))
-
-
-def _point_determinant(model: ExactModel) -> Polynomial:
-    """Velocity of the tip, and its turn about the last axis for an angle task.
-
-    Everything is written in the moved frame of joint 2.
-    """
-    ring = model.ring
-    first, second, *rest = model.joints
-    back = (second.before @ model.motion(second)).inverse()
-    placed = [
-        (first, back.turn(first.axis), back.translation),
-        (second, second.axis, _origin(ring)),
-    ]
-    frame = Transform(ring, identity(ring), _origin(ring))
-    for joint in rest:
-        frame = frame @ joint.before
-        placed.append((joint, frame.turn(joint.axis), frame.translation))
-        frame = frame @ model.motion(joint)
-    point = frame.apply(model.tool.translation)
-    columns = []
-    for joint, axis, origin in placed:
-        arm = tuple(a - b for a, b in zip(point, origin, strict=True))
-        columns.append(cross(ring, axis, arm) if joint.kind == "revolute" else axis)
-    rows = list(zip(*columns, strict=True))
-    if model.chain.task == "position-and-angle":
-        turns = [
-            axis if joint.kind == "revolute" else _origin(ring)
-            for joint, axis, _ in placed
-        ]
-        last = next((axis for axis in reversed(turns) if any(axis)), _origin(ring))
-        rows.append(tuple(dot(ring, axis, last) for axis in turns))
-    return determinant(ring, rows)
-
-
-def _pose_determinant(model: ExactModel) -> Polynomial:
-    """Laplace expansion over the columns of joints 1-3 and of joints 4-6."""
-    ring = model.ring
-    inner = _screws_before(model)
-    outer = _screws_after(model)
-    total = ring.constant(0)
-    for rows in combinations(range(6), 3):
-        rest = tuple(row for row in range(6) if row not in rows)
-        sign = (-1) ** (sum(rows) + sum(range(3)))
-        first = determinant(ring, [[column[row] for column in inner] for row in rows])
-        last = determinant(ring, [[column[row] for column in outer] for row in rest])
-        total += sign * _on_circles(model, first) * _on_circles(model, last)
-    return total
-
-
-def _screws_before(model: ExactModel) -> list[Column]:
-    """Screws of joints 1, 2, 3 in the moved frame of joint 3."""
-    ring, screws = model.ring, []
-    back: Transform | None = None
-    for joint in reversed(model.joints[:3]):
-        undo = model.motion(joint).inverse()
-        frame = undo if back is None else back @ undo
-        screws.append(_screw(ring, joint, frame.turn(joint.axis), frame.translation))
-        back = frame @ joint.before.inverse()
-    return screws[::-1]
-
-
-def _screws_after(model: ExactModel) -> list[Column]:
-    """Screws of joints 4, 5, 6 in the moved frame of joint 3."""
-    screws = []
-    placed: Transform | None = None
-    for joint in model.joints[3:]:
-        frame = joint.before if placed is None else placed @ joint.before
-        screws.append(
-            _screw(model.ring, joint, frame.turn(joint.axis), frame.translation)
-        )
-        placed = frame @ model.motion(joint)
-    return screws
-
-
-def _screw(ring: Ring, joint: ExactJoint, axis: Column, origin: Column) -> Column:
-    """(velocity at the frame's origin, angular velocity) of a unit joint speed."""
-    if joint.kind == "prismatic":
-        return (*axis, *_origin(ring))
-    return (*cross(ring, origin, axis), *axis)
 
 
 def _across(ring: Ring, axis: Column) -> tuple[Column, Column]:

@@ -9,8 +9,8 @@ from __future__ import annotations
 
 from flint import arb, arb_mat, ctx
 
+from cuspaudit.kinematics.determinant import jacobian_determinant
 from cuspaudit.kinematics.exact_model import ExactModel
-from cuspaudit.kinematics.polynomial_map import jacobian_determinant
 from cuspaudit.kinematics.transform import Column, Transform
 
 __all__ = ["is_regular_somewhere"]

@@ -20,7 +20,6 @@ from cuspaudit.cuspidality.surface_decision import SurfaceDecision
 from cuspaudit.kinematics.exact_model import ExactModel
 from cuspaudit.kinematics.polynomial_map import reduced_map
 from cuspaudit.kinematics.transform import dot
-from cuspaudit.robot.frames import angle_value
 from cuspaudit.surface.surface import Factor
 
 __all__ = ["FULL_TURN", "Array", "JointSurface"]
@@ -97,7 +96,7 @@ class JointSurface:
     def joint_values(self, points: Array) -> Array:
         """(m, 2) values of joints 2 and 3 at points (y, x); angles not reduced."""
         ordered = points[:, ::-1] if self._is_swapped else points
-        zeros = [angle_value(joint.zero) for joint in self.model.joints[1:]]
+        zeros = self.model.zeros[1:]
         return np.asarray(ordered - np.array(zeros))
 
     def points_at(self, variables: Array) -> Array:

@@ -23,7 +23,7 @@ from cuspaudit.cuspidality.surface_path import SurfacePath, posture_angles
 from cuspaudit.errors import RetryableError, UnableError
 from cuspaudit.geometry.torus.components import TorusComponents
 from cuspaudit.kinematics.common_direction import common_direction
-from cuspaudit.kinematics.exact_model import ExactModel, circle_names
+from cuspaudit.kinematics.exact_model import ExactModel
 from cuspaudit.kinematics.postures.numeric import PostureSolver, is_even
 from cuspaudit.pictures.joint_surface import JointSurface
 from cuspaudit.robot.chain import Chain, reverse
@@ -141,7 +141,7 @@ def _label(model: ExactModel, components: TorusComponents, posture: Array) -> La
         for joint, value in zip(model.joints, posture, strict=True)
         if joint.kind == "revolute"
     ]
-    label = components.component_at(dict(zip(circle_names(model), turned, strict=True)))
+    label = components.component_at(dict(zip(model.circles, turned, strict=True)))
     if label is None:
         raise UnableError("postures", "a posture is too near a singular one to tell")
     return label

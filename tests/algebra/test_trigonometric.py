@@ -16,8 +16,8 @@ from cuspaudit.algebra.trigonometric import (
     reduce_on_circles,
 )
 from cuspaudit.errors import CrossCheckError
-from cuspaudit.kinematics.exact_model import circle_names, exact_model
-from cuspaudit.kinematics.polynomial_map import jacobian_determinant
+from cuspaudit.kinematics.determinant import jacobian_determinant
+from cuspaudit.kinematics.exact_model import exact_model
 from cuspaudit.robot.formats.read_robot import read_robot
 
 ROBOTS = Path(cuspaudit.__file__).parents[1] / "robots"
@@ -35,7 +35,7 @@ def texts(ring: Ring, circles: list[tuple[str, str]], p: Polynomial) -> set[str]
 def determinant_factors(name: str) -> set[str]:
     """The factors of det J of a robot of the library."""
     model = exact_model(read_robot(ROBOTS / f"{name}.yaml").chain)
-    return texts(model.ring, circle_names(model), jacobian_determinant(model))
+    return texts(model.ring, model.circles, jacobian_determinant(model))
 
 
 def test_the_issac_arm_has_the_printed_factors() -> None:

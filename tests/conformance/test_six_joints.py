@@ -19,8 +19,8 @@ from cuspaudit.auditing.deciders.certify import find_witness
 from cuspaudit.certificate import verify
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import DegenerateMapError
-from cuspaudit.kinematics.exact_model import circle_names, exact_model
-from cuspaudit.kinematics.polynomial_map import jacobian_determinant
+from cuspaudit.kinematics.determinant import jacobian_determinant
+from cuspaudit.kinematics.exact_model import exact_model
 from cuspaudit.kinematics.postures.numeric import PostureSolver
 from cuspaudit.kinematics.theorems.triple_and_pair import triple_and_pair
 from cuspaudit.robot.chain import Chain, Rotation, Translation, reverse
@@ -221,9 +221,7 @@ def test_the_three_signs_tell_the_postures_apart(seed: int) -> None:
     chain = arm(a, d, (twists[0], 0, 180, *twists[3:]))
     assert ask(chain).verdict is Verdict.NONCUSPIDAL
     model = exact_model(chain)
-    factors = factor_on_circles(
-        model.ring, circle_names(model), jacobian_determinant(model)
-    )
+    factors = factor_on_circles(model.ring, model.circles, jacobian_determinant(model))
     assert [count for _, count in factors] == [1, 1, 1]
     signs = [NumericPolynomial(model.ring, factor) for factor, _ in factors]
     solver = PostureSolver.of(chain)

@@ -11,9 +11,9 @@ from short_tables import Number, arm, with_wrist
 from cuspaudit.algebra.ring import Polynomial
 from cuspaudit.errors import UnableError
 from cuspaudit.geometry.crit import crit
+from cuspaudit.kinematics.determinant import jacobian_determinant
 from cuspaudit.kinematics.exact_model import ExactModel, exact_model
 from cuspaudit.kinematics.polynomial_map import (
-    jacobian_determinant,
     polynomial_map,
     reduce_circles,
     reduced_map,

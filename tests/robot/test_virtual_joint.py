@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from short_tables import Number, arm, shift
 
+from cuspaudit.kinematics.determinant import jacobian_determinant
 from cuspaudit.kinematics.exact_model import exact_model
-from cuspaudit.kinematics.polynomial_map import jacobian_determinant
 from cuspaudit.kinematics.postures.numeric import PostureSolver
 from cuspaudit.kinematics.theorems.registry import reduction_of
 from cuspaudit.robot.chain import Chain, Task

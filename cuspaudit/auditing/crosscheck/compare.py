@@ -31,8 +31,9 @@ from cuspaudit.auditing.crosscheck.singular_postures import (
     singular_postures,
 )
 from cuspaudit.errors import CrossCheckError
+from cuspaudit.kinematics.determinant import jacobian_determinant
 from cuspaudit.kinematics.exact_model import ExactModel
-from cuspaudit.kinematics.polynomial_map import jacobian_determinant, polynomial_map
+from cuspaudit.kinematics.polynomial_map import polynomial_map
 from cuspaudit.robot.virtual_joint import without_virtual_joint
 
 __all__ = ["CrossCheck", "crosscheck", "singular_postures"]

@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 
 from cuspaudit.algebra.numeric import NumericPolynomial
 from cuspaudit.algebra.ring import Polynomial
+from cuspaudit.kinematics.determinant import jacobian_determinant
 from cuspaudit.kinematics.exact_model import ExactJoint, ExactModel
-from cuspaudit.kinematics.polynomial_map import jacobian_determinant
 from cuspaudit.robot.frames import angle_value
 
 __all__ = ["model_points", "random_postures", "singular_postures"]

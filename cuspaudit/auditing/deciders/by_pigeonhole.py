@@ -32,10 +32,9 @@ from cuspaudit.errors import (
     UnableError,
 )
 from cuspaudit.geometry.torus.components import TorusComponents
-from cuspaudit.kinematics.exact_model import ExactModel, circle_names
+from cuspaudit.kinematics.exact_model import ExactModel
 from cuspaudit.kinematics.postures.exact import exact_postures, real_postures
 from cuspaudit.kinematics.postures.numeric import PostureSolver
-from cuspaudit.robot.frames import angle_value
 from cuspaudit.runtime.clock import Clock
 
 __all__ = [
@@ -110,7 +109,7 @@ def _proposed(
 ) -> Iterator[tuple[Rational, ...]]:
     """Rational postures of whose poses an aspect seems to have two; most first."""
     solver = PostureSolver.of(model.chain)
-    zeros = np.array([angle_value(joint.zero) for joint in model.joints])
+    zeros = model.zeros
     steps = np.random.default_rng(seed).integers(-2 * _PARTS, 2 * _PARTS, (_POSES, 6))
     given = 2 * np.arctan(steps / _PARTS) - zeros
     most = []
@@ -126,7 +125,7 @@ def _proposed(
 def _seen(
     model: ExactModel, components: TorusComponents, angles: Array
 ) -> Label | None:
-    circles = circle_names(model)
+    circles = model.circles
     return components.component_at(dict(zip(circles, angles.tolist(), strict=True)))
 
 

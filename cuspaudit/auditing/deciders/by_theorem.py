@@ -11,8 +11,8 @@ from cuspaudit.auditing.deciders.three_joints import by_all_pairs, by_sample_val
 from cuspaudit.count import Count
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import DegenerateMapError, RetryableError, UnableError
+from cuspaudit.kinematics.determinant import jacobian_determinant
 from cuspaudit.kinematics.exact_model import ExactModel
-from cuspaudit.kinematics.polynomial_map import jacobian_determinant
 from cuspaudit.kinematics.theorems.registry import looked_for, reduction_of
 from cuspaudit.kinematics.theorems.theorem import Reduction
 from cuspaudit.runtime.clock import Clock

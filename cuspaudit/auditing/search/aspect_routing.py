@@ -16,9 +16,8 @@ from cuspaudit.auditing.aspects import count_aspects
 from cuspaudit.count import Count
 from cuspaudit.geometry.torus.function import TorusFunction
 from cuspaudit.geometry.torus.routing import TorusRouting, WidestPath, torus_routing
+from cuspaudit.kinematics.determinant import jacobian_determinant
 from cuspaudit.kinematics.exact_model import ExactModel, revolute_circles
-from cuspaudit.kinematics.polynomial_map import jacobian_determinant
-from cuspaudit.robot.frames import angle_value
 
 __all__ = ["AspectRouting", "route_aspects"]
 
@@ -96,5 +95,5 @@ def route_aspects(model: ExactModel, seed: int = 0) -> AspectRouting:
     )
     wanted = None if aspects is None else aspects.count
     routing = torus_routing(h, seed, wanted)
-    zeros = np.array([angle_value(joint.zero) for joint in model.joints])
+    zeros = model.zeros
     return AspectRouting(used, zeros, routing, aspects)

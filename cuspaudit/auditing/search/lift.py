@@ -17,7 +17,7 @@ from cuspaudit.cuspidality.surface_path import SurfacePath
 from cuspaudit.errors import RetryableError
 from cuspaudit.kinematics.exact_model import ExactModel
 from cuspaudit.robot.chain import Chain
-from cuspaudit.robot.frames import angle_value, frames, jacobian
+from cuspaudit.robot.frames import frames, jacobian
 
 __all__ = ["close", "lift_position", "lift_wrist", "wrist_middle", "wrist_spread"]
 
@@ -36,7 +36,7 @@ def lift_position(model: ExactModel, path: SurfacePath) -> Array:
         model: the three-joint model the path was found for.
         path: way points of joints 2 and 3, in the model's variables.
     """
-    zeros = [angle_value(joint.zero) for joint in model.joints]
+    zeros = model.zeros
     rest = path.points - np.array(zeros[1:])
     first = np.zeros(len(rest))
     joints = np.column_stack([first, rest])

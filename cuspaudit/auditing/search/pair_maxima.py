@@ -21,9 +21,8 @@ from cuspaudit.auditing.search.aspect_routing import AspectRouting, route_aspect
 from cuspaudit.auditing.search.pair_space import Maxima, PairSpace, separation, shortest
 from cuspaudit.errors import UnableError
 from cuspaudit.geometry.torus.function import TorusFunction
+from cuspaudit.kinematics.determinant import jacobian_determinant
 from cuspaudit.kinematics.exact_model import ExactModel, revolute_circles
-from cuspaudit.kinematics.polynomial_map import jacobian_determinant
-from cuspaudit.robot.frames import angle_value
 
 __all__ = ["pair_maxima"]
 
@@ -59,7 +58,7 @@ def pair_maxima(
     h = TorusFunction.from_polynomial(
         model.ring, revolute_circles(model), jacobian_determinant(model)
     )
-    zeros = np.array([angle_value(joint.zero) for joint in model.joints])
+    zeros = model.zeros
     space = PairSpace.of(model.chain, h, zeros)
     rng, rounds = np.random.default_rng(seed), list[Maxima]()
     progress("pairs: aspects")
@@ -84,7 +83,7 @@ def _round(space: PairSpace, starts: int, rng: np.random.Generator) -> Maxima:
 def _judge(model: ExactModel, seed: int) -> tuple[Judge, str]:
     """Whether two postures lie in one aspect, and how that is told."""
     circles = revolute_circles(model)
-    zeros = np.array([angle_value(joint.zero) for joint in model.joints])
+    zeros = model.zeros
     try:
         components = aspect_components(model)
     except UnableError:

@@ -16,8 +16,8 @@ from cuspaudit.auditing.crosscheck.compare import (
 )
 from cuspaudit.auditing.crosscheck.pinocchio_model import arm_from_chain, reach_scale
 from cuspaudit.errors import CrossCheckError
+from cuspaudit.kinematics.determinant import jacobian_determinant
 from cuspaudit.kinematics.exact_model import exact_model
-from cuspaudit.kinematics.polynomial_map import jacobian_determinant
 from cuspaudit.robot.chain import (
     X_AXIS,
     Z_AXIS,

@@ -30,7 +30,7 @@ from cuspaudit.auditing.proof_record import proof_record
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import UnableError
 from cuspaudit.kinematics.exact_model import ExactModel, exact_model
-from cuspaudit.robot.frames import angle_value, frames, jacobian
+from cuspaudit.robot.frames import frames, jacobian
 from cuspaudit.robot.library import open_robot
 from cuspaudit.runtime.clock import Clock
 
@@ -72,7 +72,7 @@ def test_the_published_pose_of_the_jaco() -> None:
     Twists within 1e-4 rad, the posture within 1e-3: the exact numbers are then short.
     """
     model = exact_model(open_robot("kinova-jaco-gen2").chain, Fraction(1, 10**4))
-    zeros = np.array([angle_value(joint.zero) for joint in model.joints])
+    zeros = model.zeros
     given = np.array([3.0675, 1.0545, 1.309, 2.4283, -1.2305, -2.3002]) + zeros
     tangents = [Fraction(x).limit_denominator(1000) for x in np.tan(given / 2)]
     found = postures_by_aspect(model, [rational(t) for t in tangents])

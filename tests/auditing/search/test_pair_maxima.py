@@ -17,10 +17,11 @@ from cuspaudit.cuspidality import decide_pairs
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import UnableError
 from cuspaudit.geometry.torus.function import TorusFunction
+from cuspaudit.kinematics.determinant import jacobian_determinant
 from cuspaudit.kinematics.exact_model import ExactModel, exact_model, revolute_circles
-from cuspaudit.kinematics.polynomial_map import jacobian_determinant, reduced_map
+from cuspaudit.kinematics.polynomial_map import reduced_map
 from cuspaudit.robot.chain import Chain
-from cuspaudit.robot.frames import angle_value, frames
+from cuspaudit.robot.frames import frames
 from cuspaudit.robot.library import open_robot
 from cuspaudit.robot.snapping import snap
 
@@ -36,7 +37,7 @@ def space_of(chain: Chain) -> PairSpace:
     h = TorusFunction.from_polynomial(
         model.ring, revolute_circles(model), jacobian_determinant(model)
     )
-    zeros = np.array([angle_value(joint.zero) for joint in model.joints])
+    zeros = model.zeros
     return PairSpace.of(chain, h, zeros)
 
 
@@ -158,7 +159,7 @@ def aspects_missed(record: PairRecord, model: ExactModel) -> set[tuple[int, int]
     variety, mapping = reduced_map(model)
     decision = decide_pairs(variety, mapping)
     delta = NumericPolynomial(variety.ring, decision.delta)
-    zeros = [angle_value(joint.zero) for joint in model.joints]
+    zeros = model.zeros
     c, s = (float(x.p / x.q) for x in decision.surface.base.rotation)
     assert decision.surface.base.names == ("c3", "s3")
 

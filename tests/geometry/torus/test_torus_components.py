@@ -14,8 +14,8 @@ from cuspaudit.algebra.system import PolynomialSystem
 from cuspaudit.auditing.deciders.decide import answer
 from cuspaudit.errors import DegenerateMapError, UnableError
 from cuspaudit.geometry.torus.components import TorusComponents, torus_components
+from cuspaudit.kinematics.determinant import jacobian_determinant
 from cuspaudit.kinematics.exact_model import exact_model
-from cuspaudit.kinematics.polynomial_map import jacobian_determinant
 from cuspaudit.robot.chain import Chain
 from cuspaudit.robot.library import open_robot
 from cuspaudit.surface.graph_isotop import graph_isotop

@@ -17,8 +17,8 @@ from cuspaudit.geometry.torus.boxes import Boxes
 from cuspaudit.geometry.torus.components import torus_components
 from cuspaudit.geometry.torus.cover import cover_count
 from cuspaudit.geometry.torus.function import TorusFunction
+from cuspaudit.kinematics.determinant import jacobian_determinant
 from cuspaudit.kinematics.exact_model import exact_model
-from cuspaudit.kinematics.polynomial_map import jacobian_determinant
 from cuspaudit.robot.library import open_robot
 from cuspaudit.surface.graph_isotop import graph_isotop
 

@@ -15,8 +15,8 @@ from cuspaudit.geometry.torus.components import TorusComponents, torus_component
 from cuspaudit.geometry.torus.critical import ascents, critical_points
 from cuspaudit.geometry.torus.function import TorusFunction
 from cuspaudit.geometry.torus.routing import TorusRouting, torus_routing
+from cuspaudit.kinematics.determinant import jacobian_determinant
 from cuspaudit.kinematics.exact_model import exact_model
-from cuspaudit.kinematics.polynomial_map import jacobian_determinant
 from cuspaudit.robot.library import open_robot
 
 Array = NDArray[np.float64]

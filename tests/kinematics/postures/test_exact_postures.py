@@ -20,8 +20,9 @@ from cuspaudit.algebra.msolve import (
 )
 from cuspaudit.algebra.parametrization import RealPoint, ZeroDimensionalParametrization
 from cuspaudit.errors import PrecisionError, UnableError
+from cuspaudit.kinematics.determinant import jacobian_determinant
 from cuspaudit.kinematics.exact_model import ExactModel, exact_model
-from cuspaudit.kinematics.polynomial_map import jacobian_determinant, polynomial_map
+from cuspaudit.kinematics.polynomial_map import polynomial_map
 from cuspaudit.kinematics.postures import chart as module
 from cuspaudit.kinematics.postures.exact import (
     exact_postures,
@@ -30,7 +31,6 @@ from cuspaudit.kinematics.postures.exact import (
 )
 from cuspaudit.kinematics.postures.numeric import PostureSolver
 from cuspaudit.robot.formats.read_robot import read_robot
-from cuspaudit.robot.frames import angle_value
 
 ROBOTS = Path(cuspaudit.__file__).parents[1] / "robots"
 TABLES = {
@@ -108,7 +108,7 @@ def values_of(model: ExactModel, point: RealPoint) -> np.ndarray:
     """The joint values of a posture, rad."""
     ball = {n: float(b.mid()) for n, b in point.ball(60).items()}
     turns = [np.arctan2(ball[f"s{k}"], ball[f"c{k}"]) for k in range(1, 7)]
-    return np.array(turns) - [angle_value(joint.zero) for joint in model.joints]
+    return np.array(turns) - model.zeros
 
 
 def nearest(postures: Sequence[np.ndarray], posture: np.ndarray) -> float:
@@ -150,7 +150,7 @@ def test_the_numeric_solver_finds_the_same(name: str) -> None:
     """Two routes: eigenvalues in doubles, and roots of the exact resultant."""
     model = model_of(name)
     solver = PostureSolver.of(model.chain)
-    zeros = np.array([angle_value(joint.zero) for joint in model.joints])
+    zeros = model.zeros
     given = np.array([2 * np.arctan(int(t.p) / int(t.q)) for t in TANGENTS]) - zeros
     numeric = solver.solve(solver.poses(given[None]))[0]
     exact = [values_of(model, point) for point in real_postures(solved(name))]
@@ -230,7 +230,7 @@ def test_the_published_postures(name: str, count: int) -> None:
     """
     file, published = PUBLISHED[name, count]
     model = exact_model(read_robot(ROBOTS / file).chain, Fraction(1, 10**4))
-    zeros = np.array([angle_value(joint.zero) for joint in model.joints])
+    zeros = model.zeros
     halves = np.tan((np.array(published[0]) + zeros) / 2)
     tangents = [Fraction(x).limit_denominator(1000) for x in halves]
     found = real_postures(

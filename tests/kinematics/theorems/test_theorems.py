@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 from short_tables import Number, arm, degrees, shift, with_wrist
 
+from cuspaudit.kinematics.determinant import jacobian_determinant
 from cuspaudit.kinematics.exact_model import exact_model
-from cuspaudit.kinematics.polynomial_map import jacobian_determinant
 from cuspaudit.kinematics.theorems.registry import THEOREMS, looked_for, reduction_of
 from cuspaudit.kinematics.theorems.theorem import Reduction
 from cuspaudit.robot.chain import Y_AXIS, Chain, Motion, Rotation, reverse

@@ -12,8 +12,8 @@ from short_tables import Number, arm, shift
 
 from cuspaudit.algebra.numeric import NumericPolynomial
 from cuspaudit.algebra.trigonometric import factor_on_circles
-from cuspaudit.kinematics.exact_model import circle_names, exact_model
-from cuspaudit.kinematics.polynomial_map import jacobian_determinant
+from cuspaudit.kinematics.determinant import jacobian_determinant
+from cuspaudit.kinematics.exact_model import exact_model
 from cuspaudit.kinematics.postures.numeric import PostureSolver
 from cuspaudit.kinematics.theorems.registry import reduction_of
 from cuspaudit.kinematics.theorems.triple_and_pair import triple_and_pair
@@ -52,7 +52,7 @@ def structured(triple: str, first: int, pair: str, other: int, seed: int = 0) ->
 def factors_of(chain: Chain) -> list[NumericPolynomial]:
     """The distinct factors of det J, in floating point."""
     model = exact_model(chain)
-    names, determinant = circle_names(model), jacobian_determinant(model)
+    names, determinant = model.circles, jacobian_determinant(model)
     found = factor_on_circles(model.ring, names, determinant)
     return [NumericPolynomial(model.ring, factor) for factor, _ in found]
 
