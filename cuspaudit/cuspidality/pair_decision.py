@@ -41,14 +41,14 @@ then u and u' have one <k_2, u>, and <k_2, .'> of opposite signs.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from flint import arb, ctx, fmpq
 
 from cuspaudit.algebra.ring import Polynomial
 from cuspaudit.algebra.system import PolynomialMap, PolynomialSystem
-from cuspaudit.algebra.univariate import PRECISIONS
+from cuspaudit.algebra.univariate import PRECISIONS, Univariate
 from cuspaudit.cuspidality.surface_decision import oriented
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import PrecisionError
@@ -59,7 +59,7 @@ from cuspaudit.surface.roadmap import Roadmap, roadmap
 from cuspaudit.surface.surface import Surface
 from cuspaudit.surface.value_circles import value_circles
 
-__all__ = ["PairCouple", "PairDecision", "PairEnd", "decide_pairs"]
+__all__ = ["PairCouple", "PairDecision", "PairEnd", "decide_pairs", "pairs_off"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -169,7 +169,7 @@ def decide_pairs(
     placed: dict[PairEnd, Vertex] = {}
     pairs = []
     progress("pairs")
-    for pair in _pairs(sheets, road):
+    for pair in pairs_off(sheets, sheets.walls, (road.change,)):
         vertices = [_vertex(road, end) for end in pair]
         if vertices[0][1] == vertices[1][1]:
             placed |= zip(pair, vertices, strict=True)
@@ -184,17 +184,31 @@ def decide_pairs(
     return PairDecision(verdict, surface, delta, sheets, pairs, road, graph, couples)
 
 
-def _pairs(sheets: PairSheets, road: Roadmap) -> Iterator[tuple[PairEnd, PairEnd]]:
-    """The pairs over a point of every cell, none of them over a zero of D."""
+def pairs_off(
+    sheets: PairSheets,
+    walls: Sequence[Polynomial],
+    avoided: Sequence[Univariate],
+    wanted: Callable[[fmpq], bool] = lambda x: True,
+) -> Iterator[tuple[PairEnd, PairEnd]]:
+    """The pairs over a point of every cell of x < w, up to the order of the ends.
+
+    Args:
+        sheets: of the pairs.
+        walls: those of the sheets, and more; the cells lie between them.
+        avoided: nonzero; no end lies over one of their zeros.
+        wanted: of x and of w; false for no pair that is asked for, and the same on
+            every interval between walls of x, or of w, alone.
+    """
     if sheets.are_empty:
         return
     ring = sheets.circles.ring
 
     def accept(point: tuple[fmpq, ...]) -> bool:
-        return all(road.change.sign(x) != 0 for x in point)
+        return all(line.sign(x) != 0 for line in avoided for x in point)
 
-    for x, w in sample_points_rational(ring, sheets.walls, ring.variables, accept):
-        for sheet in sheets.over(x, w) if x < w else ():
+    points = sample_points_rational(ring, walls, ring.variables, accept, wanted)
+    for x, w in points:
+        for sheet in sheets.over(x, w) if x < w and wanted(w) else ():
             yield PairEnd(sheets, (x, w), sheet), PairEnd(sheets, (w, x), sheet)
 
 

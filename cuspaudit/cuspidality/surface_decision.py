@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import combinations
 
@@ -10,7 +10,7 @@ from flint import fmpq, fmpq_poly
 
 from cuspaudit.algebra.ring import Polynomial
 from cuspaudit.algebra.system import PolynomialMap, PolynomialSystem
-from cuspaudit.algebra.univariate import Univariate
+from cuspaudit.algebra.univariate import RealRoot, Univariate
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import DegenerateMapError, UnableError
 from cuspaudit.geometry.crit import crit
@@ -23,7 +23,13 @@ from cuspaudit.surface.roadmap import Roadmap, orient, roadmap
 from cuspaudit.surface.sample_points import Fiber, Posture, sample_points
 from cuspaudit.surface.surface import Surface, product_factors
 
-__all__ = ["SurfaceCouple", "SurfaceDecision", "decide_surface", "oriented"]
+__all__ = [
+    "SurfaceCouple",
+    "SurfaceDecision",
+    "decide_surface",
+    "generic_values",
+    "oriented",
+]
 
 
 @dataclass(frozen=True, eq=False)
@@ -110,7 +116,7 @@ def decide_surface(
     road = roadmap(surface, delta)
     progress("sample_points_rational")
     values = sample_points_rational(
-        fibers.ring, atypical, ("u", "v"), _generic(fibers, road)
+        fibers.ring, atypical, ("u", "v"), generic_values(fibers, road.critical)
     )
     progress("sample_points")
     samples = [sample_points(fibers, (u, v)) for u, v in values]
@@ -154,10 +160,10 @@ def _couples(graph: RoadmapGraph, samples: list[Fiber]) -> Iterator[SurfaceCoupl
                 yield SurfaceCouple(fiber.value, (a, b), vertex_a[1])
 
 
-def _generic(
-    fibers: FiberPolynomials, road: Roadmap
+def generic_values(
+    fibers: FiberPolynomials, lines: Sequence[RealRoot]
 ) -> Callable[[tuple[fmpq, ...]], bool]:
-    """True for values whose postures all lie in the charts and over no zero of D.
+    """True for values whose postures all lie in the charts and over none of ``lines``.
 
     The second coordinate of each follows from its linear equation s_1 t + s_0 = 0.
     """
@@ -174,9 +180,7 @@ def _generic(
         if own.gcd(linear).degree() > 0:
             return False
         postures = special(along_base, at, "x").numer()
-        return all(
-            postures.gcd(root.polynomial).degree() == 0 for root in road.critical
-        )
+        return all(postures.gcd(root.polynomial).degree() == 0 for root in lines)
 
     def special(p: Polynomial, at: dict[str, fmpq], name: str) -> fmpq_poly:
         return Univariate.from_polynomial(ring, ring.substitute(p, at), name).norm

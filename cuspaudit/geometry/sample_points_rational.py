@@ -36,6 +36,7 @@ def sample_points_rational(
     polynomials: Sequence[Polynomial],
     variables: Sequence[str],
     accept: Callable[[Point], bool] = lambda point: True,
+    wanted: Callable[[fmpq], bool] = lambda first: True,
 ) -> list[Point]:
     """Points of Q^d that meet every connected component of R^d - V(h_1 ... h_t).
 
@@ -47,11 +48,13 @@ def sample_points_rational(
         variables: x_1..x_d, projected away from the last to the first.
         accept: a further condition, true outside a proper algebraic set; points that
             fail it are replaced by others of the same cell.
+        wanted: of x_1; the same on each interval between zeros of an h_i in x_1 alone.
+            Cells over intervals where it is false are left out.
 
     Raises:
         UnableError: ``accept`` refused every candidate of a cell.
     """
-    return list(_lift(ring, list(polynomials), tuple(variables), accept))
+    return list(_lift(ring, list(polynomials), tuple(variables), accept, wanted))
 
 
 def _lift(
@@ -59,10 +62,13 @@ def _lift(
     polynomials: list[Polynomial],
     variables: tuple[str, ...],
     accept: Callable[[Point], bool],
+    wanted: Callable[[fmpq], bool],
 ) -> Iterator[Point]:
     *below, last = variables
     if not below:
-        yield from ((x,) for x in _between(ring, polynomials, last, accept, ()))
+        for x in _between(ring, polynomials, last, accept, ()):
+            if wanted(x):
+                yield (x,)
         return
     projected = project(ring, polynomials, last)
     if any(p == 0 for p in projected):
@@ -72,6 +78,8 @@ def _lift(
     above: list[fmpq] = []
 
     def lifts(point: Point) -> bool:
+        if not wanted(point[0]):
+            return True
         values = dict(zip(below, point, strict=True))
         fiber = [ring.substitute(p, values) for p in polynomials]
         try:
@@ -80,7 +88,7 @@ def _lift(
             return False
         return True
 
-    for point in _lift(ring, projected, tuple(below), lifts):
+    for point in _lift(ring, projected, tuple(below), lifts, wanted):
         yield from ((*point, x) for x in above)
 
 

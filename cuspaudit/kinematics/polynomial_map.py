@@ -18,10 +18,13 @@ from cuspaudit.kinematics.transform import Column, Transform, cross, dot
 
 __all__ = [
     "KinematicMap",
+    "across_axis",
     "place",
     "polynomial_map",
     "reduce_circles",
     "reduced_map",
+    "reduced_ring",
+    "tip_from_first_axis",
 ]
 
 
@@ -110,8 +113,34 @@ def reduced_map(model: ExactModel) -> tuple[PolynomialSystem, PolynomialMap]:
         V in the variables of joints 2 and 3, and the map to R^2.
     """
     first, second, third = model.joints
+    full, ring = model.ring, reduced_ring(model)
+    _, point = tip_from_first_axis(model)
+    values: Column
+    if first.kind == "revolute":
+        values = (dot(full, point, point), dot(full, first.axis, point))
+    else:
+        values = tuple(dot(full, e, point) for e in across_axis(full, first.axis))
+    rest = (second, third)
+    components = (reduce_circles(full, rest, full.reduce(v)) for v in values)
+    return (
+        PolynomialSystem(ring, circles(ring, rest)),
+        PolynomialMap(ring, tuple(ring.from_other(p, full) for p in components)),
+    )
+
+
+def reduced_ring(model: ExactModel) -> Ring:
+    """The ring of the variables of joints 2 and 3."""
+    _, second, third = model.joints
+    return Ring((*second.variables, *third.variables), model.ring.radicand)
+
+
+def tip_from_first_axis(model: ExactModel) -> tuple[Transform, Column]:
+    """The fixed transform before joint 2, seen from axis 1, and the tip there.
+
+    Origin is the foot on axis 1: the translation has no part along the axis.
+    """
+    first, second, third = model.joints
     full = model.ring
-    ring = Ring((*second.variables, *third.variables), full.radicand)
     step = model.tool.apply(_origin(full))
     step = model.motion(third).apply(step)
     step = third.before.apply(step)
@@ -121,21 +150,11 @@ def reduced_map(model: ExactModel) -> tuple[PolynomialSystem, PolynomialMap]:
         t - along * a
         for t, a in zip(second.before.translation, first.axis, strict=True)
     )
-    point = Transform(full, second.before.rotation, offset).apply(step)
-    values: Column
-    if first.kind == "revolute":
-        values = (dot(full, point, point), dot(full, first.axis, point))
-    else:
-        values = tuple(dot(full, e, point) for e in _across(full, first.axis))
-    rest = (second, third)
-    components = (reduce_circles(full, rest, full.reduce(v)) for v in values)
-    return (
-        PolynomialSystem(ring, circles(ring, rest)),
-        PolynomialMap(ring, tuple(ring.from_other(p, full) for p in components)),
-    )
+    frame = Transform(full, second.before.rotation, offset)
+    return frame, frame.apply(step)
 
 
-def _across(ring: Ring, axis: Column) -> tuple[Column, Column]:
+def across_axis(ring: Ring, axis: Column) -> tuple[Column, Column]:
     """Two independent directions orthogonal to a unit ``axis``."""
     for i in range(3):
         unit = tuple(ring.constant(int(i == j)) for j in range(3))

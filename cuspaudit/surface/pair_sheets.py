@@ -106,15 +106,18 @@ class PairSheets:
         """
         saved, ctx.prec = ctx.prec, bits
         try:
-            return self._fiber_point({"x": arb(x), "w": arb(w)}, sheet)
+            return self._fiber_point(x, w, sheet)
         finally:
             ctx.prec = saved
 
-    def _fiber_point(self, at: dict[str, arb], sheet: int) -> tuple[arb, arb]:
+    def _fiber_point(self, x: fmpq | arb, w: fmpq | arb, sheet: int) -> tuple[arb, arb]:
         circles, ring = self.circles, self.circles.ring
+        at = {"x": arb(x), "w": arb(w)}
+        # the kernel substitutes rationals, and at most sqrt m is left for a ball
+        exact = {n: v for n, v in (("x", x), ("w", w)) if isinstance(v, fmpq)}
 
         def value(polynomial: Polynomial) -> arb:
-            return ring.evaluate(polynomial, at)
+            return ring.evaluate(ring.substitute(polynomial, exact), at)
 
         mu = value(circles.metric)
         a, b = (value(p) for p in self.normal)

@@ -17,7 +17,6 @@ from typing import Any
 
 from markupsafe import Markup
 
-from cuspaudit.certificate_js import checker_script
 from cuspaudit.viz.offline import asset, environment, policy
 from cuspaudit.viz.page_rows import (
     counts,
@@ -48,14 +47,12 @@ def render_page(
         audit: the audit, schema ``cuspaudit/audit/2``; missing keys count as null.
         scene: from `build_scene`: the arm on its path, or in a few postures when
             there is no path. None leaves the animation out.
-        certificate: text of the certificate file, to be offered as a download, and
-            checked by the page itself when it is opened.
+        certificate: text of the certificate file, to be offered as a download.
 
     Returns:
         HTML that opens from ``file://`` and asks for no other file.
     """
     scripts = [viewer_script(), asset("page.js")] if scene else []
-    checking = [checker_script(), asset("checking.js")] if certificate else []
     return (
         environment()
         .get_template("page.html")
@@ -78,9 +75,8 @@ def render_page(
             else [],
             style=Markup(asset("page.css")),
             scripts=[Markup(script) for script in scripts],
-            checking=[Markup(script) for script in checking],
             notices=Markup(viewer_license().replace("--", "- -")) if scene else "",
-            policy=policy([*scripts, *checking]),
+            policy=policy(scripts),
         )
     )
 
