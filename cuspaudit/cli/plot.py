@@ -82,9 +82,10 @@ def _plot_robot(robot: Robot, output: Path, snap: str, at: str | None) -> None:
         UnableError: there is nothing to draw for this robot.
     """
     from cuspaudit.auditing.audit import Options
-    from cuspaudit.pictures.landscape import Landscape, picture_of
+    from cuspaudit.pictures.landscape import picture_of
     from cuspaudit.robot.snap_policy import policy_from_name
     from cuspaudit.runtime.writing import check_writable
+    from cuspaudit.viz.plot.data import Landscape
     from cuspaudit.viz.plot.files import save_plot
     from cuspaudit.viz.plot.six_joints import landscape_sheet
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from fractions import Fraction
 
 import numpy as np
@@ -14,32 +14,16 @@ from cuspaudit.cuspidality.surface_path import posture_angles, propose_path
 from cuspaudit.errors import InvalidInputError, UnableError
 from cuspaudit.pictures.critical_curve import pieces, trace, wall_pieces
 from cuspaudit.pictures.cusps_and_nodes import critical_points
-from cuspaudit.pictures.joint_plane import JointPlane, joint_plane
+from cuspaudit.pictures.joint_plane import joint_plane
 from cuspaudit.pictures.joint_surface import JointSurface
-from cuspaudit.pictures.value_plane import ValuePlane, value_plane
+from cuspaudit.pictures.value_plane import value_plane
 from cuspaudit.surface.graph_isotop import RoadmapGraph, graph_isotop
 from cuspaudit.surface.sample_points import Fiber, sample_points
+from cuspaudit.viz.plot.data import Figures, ValuePlane
 
-__all__ = ["Figures", "figures"]
+__all__ = ["figures"]
 
 Point = tuple[Fraction, Fraction]
-
-
-@dataclass(frozen=True, eq=False)
-class Figures:
-    """Both planes of one arm.
-
-    Attributes:
-        title: the arm's name and its verdict.
-        notes: what the figures leave out or show of another arm, one sentence each.
-        value: the plane of values, the paper's Figure 2.
-        joint: the plane of joints 2 and 3, the paper's Figure 3.
-    """
-
-    title: str
-    notes: tuple[str, ...]
-    value: ValuePlane
-    joint: JointPlane
 
 
 def figures(found: Answer, at: Point | None = None) -> Figures:

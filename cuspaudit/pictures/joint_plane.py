@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
 from itertools import product
 
 import numpy as np
@@ -17,60 +16,14 @@ import numpy as np
 from cuspaudit.cuspidality.surface_path import posture_angles
 from cuspaudit.pictures.critical_curve import Band, Piece, bands
 from cuspaudit.pictures.joint_surface import FULL_TURN, Array, JointSurface
-from cuspaudit.pictures.value_plane import runs
+from cuspaudit.pictures.value_plane import finite_runs
 from cuspaudit.surface.graph_isotop import RoadmapGraph
 from cuspaudit.surface.sample_points import Fiber
+from cuspaudit.viz.plot.data import Aspect, JointPlane, Window
 
-__all__ = ["Aspect", "JointPlane", "joint_plane"]
+__all__ = ["joint_plane"]
 
 _STEPS = 500
-
-Window = tuple[float, float, float, float]
-
-
-@dataclass(frozen=True, eq=False)
-class Aspect:
-    """One singularity-free component.
-
-    Attributes:
-        number: 1, 2, ... as the postures refer to it.
-        sign: of Delta in it.
-        regions: (m, 2) polygons that cover it, with their copies.
-        roadmap: (m, 2) polylines: the silhouette, and the fibers through postures.
-        label: (2,) a place well inside it.
-    """
-
-    number: int
-    sign: int
-    regions: tuple[Array, ...]
-    roadmap: tuple[Array, ...]
-    label: Array
-
-
-@dataclass(frozen=True, eq=False)
-class JointPlane:
-    """The plane of joints 2 and 3, sampled; rad, or the arm's unit for a slide.
-
-    Attributes:
-        labels: of the two axes, with units.
-        window: (left, right, bottom, top): one turn about 0.
-        is_turn: whether each axis is an angle.
-        aspects: as many as are proved.
-        curve: (m, 2) polylines of the critical curve, with their copies.
-        postures: (k, 2) the postures of the value in focus, inside the window.
-        posture_aspects: the number of the aspect of each.
-        paths: (m, 2) copies of the path between two postures of one aspect; () when
-            no two share one.
-    """
-
-    labels: tuple[str, str]
-    window: Window
-    is_turn: tuple[bool, bool]
-    aspects: tuple[Aspect, ...]
-    curve: tuple[Array, ...]
-    postures: Array
-    posture_aspects: tuple[int, ...]
-    paths: tuple[Array, ...]
 
 
 def joint_plane(
@@ -117,7 +70,7 @@ class _Sheet:
 
     def copies(self, points: Array) -> Iterator[Array]:
         """Joint values of a polyline of points (y, x), a full turn apart."""
-        for line in runs(self._surface.joint_values(points)):
+        for line in finite_runs(self._surface.joint_values(points)):
             shifts = [
                 self._shifts(values, low, high, turn)
                 for values, low, high, turn in zip(

@@ -9,87 +9,23 @@ path. All of it is floating point, for the eye; only the number of aspects is pr
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cuspaudit.auditing.audit import Audit, Options, audit
 from cuspaudit.auditing.deciders.decide import answer
 from cuspaudit.auditing.search.aspect_routing import AspectRouting, route_aspects
 from cuspaudit.kinematics.exact_model import exact_model
-from cuspaudit.pictures.figures import Figures, figures
+from cuspaudit.pictures.figures import figures
 from cuspaudit.robot.robot import Robot
 from cuspaudit.robot.snapping import snap
+from cuspaudit.viz.plot.data import Array, Figures, Landscape, Leaf, Slice
 
-__all__ = ["Landscape", "Leaf", "Slice", "landscape", "picture_of"]
+__all__ = ["landscape", "picture_of"]
 
-Array = NDArray[np.float64]
 _SIDE = 241
 _MARGIN = 1.35
-
-
-@dataclass(frozen=True)
-class Leaf:
-    """A maximum of |det J|, at the foot of the tree's branches.
-
-    Attributes:
-        level: |det J| there over the largest.
-        sign: of det J.
-        aspect: 1, 2, ...: the group of maxima that it belongs to.
-    """
-
-    level: float
-    sign: int
-    aspect: int
-
-
-@dataclass(frozen=True, eq=False)
-class Slice:
-    """A plane through the torus of the joints that det J depends on.
-
-    Attributes:
-        title: what the plane goes through.
-        labels: of the two axes.
-        window: (left, right, bottom, top), rad.
-        heights: (rows from the bottom, columns) det J over the largest |det J|.
-        marks: (2,) places by name.
-        lines: (m, 2) the witness path, seen along the other joints.
-    """
-
-    title: str
-    labels: tuple[str, str]
-    window: tuple[float, float, float, float]
-    heights: Array
-    marks: dict[str, Array]
-    lines: tuple[Array, ...]
-
-
-@dataclass(frozen=True, eq=False)
-class Landscape:
-    """What is drawn of a six-joint arm.
-
-    Attributes:
-        title: the arm's name and its verdict.
-        notes: what the reader must know, one sentence each.
-        leaves: the maxima, in the order of the tree.
-        branches: (m, 2) polylines (place among the leaves, level).
-        joins: (k, 2) where branches join.
-        clearance: of the witness, if there is one.
-        ends: (2,) the ends of the witness by name: the maximum they climb to, their
-            level.
-        slices: planes through the torus.
-    """
-
-    title: str
-    notes: tuple[str, ...]
-    leaves: tuple[Leaf, ...]
-    branches: tuple[Array, ...]
-    joins: Array
-    clearance: float | None
-    ends: dict[str, Array]
-    slices: tuple[Slice, ...]
 
 
 def picture_of(

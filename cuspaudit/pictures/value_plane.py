@@ -8,7 +8,6 @@ counted in floating point on a fine grid and is background only.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,44 +18,14 @@ from cuspaudit.pictures.critical_curve import Piece
 from cuspaudit.pictures.cusps_and_nodes import CriticalPoints
 from cuspaudit.pictures.joint_surface import Array, JointSurface
 from cuspaudit.surface.sample_points import Fiber
+from cuspaudit.viz.plot.data import ValuePlane, Window
 
-__all__ = ["ValuePlane", "count_postures", "value_plane"]
+__all__ = ["count_postures", "finite_runs", "value_plane"]
 
 _GRID = 480
 _MARGIN = 0.12
 _TURN = 0.3719  # of the chart, so that no root of a symmetric arm stays at infinity
 _POINT = 1e-9
-
-
-@dataclass(frozen=True, eq=False)
-class ValuePlane:
-    """The plane of values, sampled; lengths in the arm's unit.
-
-    Attributes:
-        labels: of the two axes, with units.
-        window: (left, right, bottom, top) of the drawing.
-        curve: (m, 2) polylines of critical values, one a smooth piece.
-        points: (k, 2) critical values that are the whole image of a critical fiber.
-        cusps: (k, 2), as many as are proved.
-        nodes: (k, 2), as many as are proved; none when their number is not.
-        samples: (k, 2) rational values, one at least in every cell of the plane.
-        sample_postures: (k,) the proved number of postures of each.
-        focus: (2,) the value whose postures are drawn in the plane of joints.
-        grid: (rows from the bottom, columns) number of postures, in floating point.
-        beyond: how many of ``samples`` lie outside the window.
-    """
-
-    labels: tuple[str, str]
-    window: tuple[float, float, float, float]
-    curve: tuple[Array, ...]
-    points: Array
-    cusps: Array
-    nodes: Array
-    samples: Array
-    sample_postures: NDArray[np.int64]
-    focus: Array
-    grid: NDArray[np.int64]
-    beyond: int
 
 
 def value_plane(
@@ -73,7 +42,7 @@ def value_plane(
         special: its cusps and nodes.
         focus: the fiber that is drawn in the plane of joints.
     """
-    curve = [line for *_, p in traced for line in runs(_image(surface, p))]
+    curve = [line for *_, p in traced for line in finite_runs(_image(surface, p))]
     lines = tuple(c for c in curve if np.ptp(c, axis=0).max() > _POINT)
     dots = [c[0] for c in curve if np.ptp(c, axis=0).max() <= _POINT]
     fibers = [f for f in surface.decision.samples if _is_real(surface, f)]
@@ -117,7 +86,7 @@ def count_postures(surface: JointSurface, values: Array) -> NDArray[np.int64]:
     return _sturm(turned)
 
 
-def runs(points: Array) -> list[Array]:
+def finite_runs(points: Array) -> list[Array]:
     """The stretches of a polyline without nan, of two points or more."""
     good = np.isfinite(points).all(axis=1)
     cuts = np.flatnonzero(np.diff(good.astype(int))) + 1
@@ -165,7 +134,7 @@ def _float(value: Rational) -> float:
 
 def _window(
     surface: JointSurface, curve: list[Array], samples: Array, cusps: Array
-) -> tuple[float, float, float, float]:
+) -> Window:
     """Around the curve; around the samples and cusps where it runs out of reach."""
     is_compact = "line" not in (surface.fiber.kind, surface.base.kind)
     shown = np.vstack(curve if is_compact and curve else [samples, cusps])
@@ -182,9 +151,7 @@ def _window(
     )
 
 
-def _counts(
-    surface: JointSurface, window: tuple[float, float, float, float]
-) -> NDArray[np.int64]:
+def _counts(surface: JointSurface, window: Window) -> NDArray[np.int64]:
     left, right, bottom, top = window
     scale = _GRID / max(right - left, top - bottom)
     columns, rows = (

@@ -14,11 +14,12 @@ from cuspaudit.count import Count
 from cuspaudit.errors import CrossCheckError, InvalidInputError, UnableError
 from cuspaudit.kinematics.exact_model import exact_model
 from cuspaudit.pictures.critical_curve import pieces, trace, wall_pieces
-from cuspaudit.pictures.figures import Figures, figures
+from cuspaudit.pictures.figures import figures
 from cuspaudit.pictures.joint_surface import JointSurface
 from cuspaudit.pictures.value_plane import count_postures
 from cuspaudit.robot.library import open_robot
 from cuspaudit.robot.snapping import snap
+from cuspaudit.viz.plot.data import Figures
 
 ISSAC = "chablat-2022-3r-mirror"
 ARMS = (

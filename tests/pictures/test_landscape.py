@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from cuspaudit.auditing.audit import Audit, Options, audit
-from cuspaudit.pictures.figures import Figures
-from cuspaudit.pictures.landscape import Landscape, landscape, picture_of
+from cuspaudit.pictures.landscape import landscape, picture_of
 from cuspaudit.robot.library import open_robot
+from cuspaudit.viz.plot.data import Figures, Landscape
 
 
 @cache

@@ -15,15 +15,16 @@ from markupsafe import Markup
 
 from cuspaudit.errors import InvalidInputError
 from cuspaudit.viz.offline import asset, environment, policy
-from cuspaudit.viz.plot.planes import FiguresData, planes_sheet
+from cuspaudit.viz.plot.data import Figures
 from cuspaudit.viz.plot.sheet import Sheet
+from cuspaudit.viz.plot.three_joints import planes_sheet
 
 __all__ = ["ENDINGS", "Drawn", "figure", "page_text", "save_plot", "svg_text"]
 
 ENDINGS = (".png", ".svg", ".html")
 _DPI = 150
 
-Drawn = Sheet | FiguresData
+Drawn = Sheet | Figures
 """A sheet, or the two planes that `planes_sheet` makes one of."""
 
 

@@ -6,18 +6,16 @@ singular. Branches of the tree join where two maxima of |det J| can reach each o
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cuspaudit.viz.plot.data import Array, Landscape, Slice
 from cuspaudit.viz.plot.sheet import Note, Sheet
-from cuspaudit.viz.plot.three_joints import BLACK, DARK, RED, frame, halo
+from cuspaudit.viz.plot.style import BLACK, DARK, RED, frame, halo
 
-__all__ = ["LandscapeData", "landscape_sheet"]
+__all__ = ["landscape_sheet"]
 
-Array = NDArray[np.float64]
 SHADES = ("#2f6fc0", "#cfe0f7", "#ffffff", "#c9ecdd", "#1f8a63")
 LAYERS = {
     "tree": "merge tree",
@@ -29,87 +27,7 @@ LAYERS = {
 }
 
 
-class LeafData(Protocol):
-    """A maximum of |det J|."""
-
-    @property
-    def level(self) -> float:
-        """|det J| over the largest."""
-
-    @property
-    def sign(self) -> int:
-        """Of det J."""
-
-    @property
-    def aspect(self) -> int:
-        """1, 2, ..."""
-
-
-class SliceData(Protocol):
-    """A plane."""
-
-    @property
-    def title(self) -> str:
-        """What it goes through."""
-
-    @property
-    def labels(self) -> tuple[str, str]:
-        """Of the axes."""
-
-    @property
-    def window(self) -> tuple[float, float, float, float]:
-        """(left, right, bottom, top)."""
-
-    @property
-    def heights(self) -> Array:
-        """(rows from the bottom, columns) det J over the largest |det J|."""
-
-    @property
-    def marks(self) -> Mapping[str, Array]:
-        """Places by name."""
-
-    @property
-    def lines(self) -> Sequence[Array]:
-        """(m, 2) pieces of the witness path, seen along the other joints."""
-
-
-class LandscapeData(Protocol):
-    """What `landscape_sheet` draws."""
-
-    @property
-    def title(self) -> str:
-        """The arm and its verdict."""
-
-    @property
-    def notes(self) -> Sequence[str]:
-        """What the reader must know."""
-
-    @property
-    def leaves(self) -> Sequence[LeafData]:
-        """The maxima, in the order of the tree."""
-
-    @property
-    def branches(self) -> Sequence[Array]:
-        """(m, 2) polylines (place among the leaves, level)."""
-
-    @property
-    def joins(self) -> Array:
-        """(k, 2) where branches join."""
-
-    @property
-    def clearance(self) -> float | None:
-        """Of the witness."""
-
-    @property
-    def ends(self) -> Mapping[str, Array]:
-        """Of the witness, by name: (place among the leaves, level)."""
-
-    @property
-    def slices(self) -> Sequence[SliceData]:
-        """The planes."""
-
-
-def landscape_sheet(data: LandscapeData) -> Sheet:
+def landscape_sheet(data: Landscape) -> Sheet:
     """The tree and the planes on one sheet."""
 
     def draw(figure: Any, note: Note) -> None:
@@ -125,7 +43,7 @@ def landscape_sheet(data: LandscapeData) -> Sheet:
     return Sheet(data.title, data.notes, about, LAYERS, draw, (12.0, 11.5))
 
 
-def _draw_tree(axes: Any, data: LandscapeData, note: Note) -> None:
+def _draw_tree(axes: Any, data: Landscape, note: Note) -> None:
     for line in data.branches:
         (mark,) = axes.plot(*line.T, color=BLACK, lw=1.3, zorder=2)
         note(mark, "tree", "")
@@ -157,7 +75,7 @@ def _draw_tree(axes: Any, data: LandscapeData, note: Note) -> None:
     axes.set_title("Merge tree: at which clearance aspects hold together")
 
 
-def _draw_slice(axes: Any, plane: SliceData, note: Note) -> None:
+def _draw_slice(axes: Any, plane: Slice, note: Note) -> None:
     from matplotlib.colors import LinearSegmentedColormap
 
     shades = LinearSegmentedColormap.from_list("signs", SHADES)

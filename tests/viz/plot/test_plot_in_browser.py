@@ -8,8 +8,9 @@ from axe_playwright_python.sync_playwright import Axe
 from visits import PHONE, Visit
 
 from cuspaudit.auditing.audit import Options
-from cuspaudit.pictures.landscape import Landscape, picture_of
+from cuspaudit.pictures.landscape import picture_of
 from cuspaudit.robot.library import open_robot
+from cuspaudit.viz.plot.data import Landscape
 from cuspaudit.viz.plot.files import save_plot
 from cuspaudit.viz.plot.six_joints import landscape_sheet
 

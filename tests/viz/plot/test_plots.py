@@ -1,7 +1,7 @@
 from __future__ import annotations
 
 import json
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -9,9 +9,19 @@ import numpy as np
 import pytest
 
 from cuspaudit.errors import InvalidInputError
+from cuspaudit.viz.plot.data import (
+    Aspect,
+    Figures,
+    JointPlane,
+    Landscape,
+    Leaf,
+    Slice,
+    ValuePlane,
+)
 from cuspaudit.viz.plot.files import figure, page_text, save_plot, svg_text
 from cuspaudit.viz.plot.six_joints import landscape_sheet
-from cuspaudit.viz.plot.three_joints import LAYERS, RED
+from cuspaudit.viz.plot.style import RED
+from cuspaudit.viz.plot.three_joints import LAYERS
 
 
 def circle(radius: float) -> np.ndarray:
@@ -20,65 +30,52 @@ def circle(radius: float) -> np.ndarray:
     return radius * np.stack([np.cos(angles), np.sin(angles)], axis=1)
 
 
-@dataclass(frozen=True)
-class Value:
+def value() -> ValuePlane:
     """A plane of values made by hand."""
-
-    labels: tuple[str, str] = ("ρ (m)", "z (m)")
-    window: tuple[float, float, float, float] = (0.0, 2.0, -2.0, 2.0)
-    curve: tuple[np.ndarray, ...] = (circle(1.0),)
-    points: np.ndarray = field(default_factory=lambda: np.array([[0.5, 0.5]]))
-    cusps: np.ndarray = field(default_factory=lambda: np.array([[1.0, 0.0]]))
-    nodes: np.ndarray = field(default_factory=lambda: np.array([[0.0, 1.0]]))
-    samples: np.ndarray = field(default_factory=lambda: np.array([[0.4, 0.1]]))
-    sample_postures: np.ndarray = field(default_factory=lambda: np.array([4]))
-    focus: np.ndarray = field(default_factory=lambda: np.array([0.4, 0.1]))
-    grid: np.ndarray = field(default_factory=lambda: np.array([[0, 2], [4, 16]]))
-
-
-@dataclass(frozen=True)
-class Aspect:
-    """An aspect made by hand."""
-
-    number: int
-    sign: int
-    regions: tuple[np.ndarray, ...]
-    roadmap: tuple[np.ndarray, ...] = ()
-    label: np.ndarray = field(default_factory=lambda: np.zeros(2))
-
-
-@dataclass(frozen=True)
-class Joint:
-    """A plane of joints made by hand."""
-
-    labels: tuple[str, str] = ("θ₂ (rad)", "d₃ (m)")
-    window: tuple[float, float, float, float] = (-np.pi, np.pi, -1.0, 1.0)
-    is_turn: tuple[bool, bool] = (True, False)
-    aspects: tuple[Aspect, ...] = (
-        Aspect(1, 1, (circle(0.9),), (circle(0.5),)),
-        Aspect(2, -1, (circle(0.4),)),
+    return ValuePlane(
+        labels=("ρ (m)", "z (m)"),
+        window=(0.0, 2.0, -2.0, 2.0),
+        curve=(circle(1.0),),
+        points=np.array([[0.5, 0.5]]),
+        cusps=np.array([[1.0, 0.0]]),
+        nodes=np.array([[0.0, 1.0]]),
+        samples=np.array([[0.4, 0.1]]),
+        sample_postures=np.array([4]),
+        focus=np.array([0.4, 0.1]),
+        grid=np.array([[0, 2], [4, 16]]),
+        beyond=0,
     )
-    curve: tuple[np.ndarray, ...] = (circle(0.9),)
-    postures: np.ndarray = field(default_factory=lambda: np.array([[0.1, 0.2], [3, 1]]))
-    posture_aspects: tuple[int, ...] = (1, 1)
-    paths: tuple[np.ndarray, ...] = (np.array([[0.1, 0.2], [3.0, 1.0]]),)
 
 
-@dataclass(frozen=True)
-class Both:
+def joint() -> JointPlane:
+    """A plane of joints made by hand."""
+    middle = np.zeros(2)
+    return JointPlane(
+        labels=("θ₂ (rad)", "d₃ (m)"),
+        window=(-np.pi, np.pi, -1.0, 1.0),
+        is_turn=(True, False),
+        aspects=(
+            Aspect(1, 1, (circle(0.9),), (circle(0.5),), middle),
+            Aspect(2, -1, (circle(0.4),), (), middle),
+        ),
+        curve=(circle(0.9),),
+        postures=np.array([[0.1, 0.2], [3, 1]]),
+        posture_aspects=(1, 1),
+        paths=(np.array([[0.1, 0.2], [3.0, 1.0]]),),
+    )
+
+
+def both() -> Figures:
     """Both planes of an arm with a hostile name."""
-
-    title: str = "<script>alert('$x_1$')</script>: cuspidal"
-    notes: tuple[str, ...] = ("Two & three.",)
-    value: Value = field(default_factory=Value)
-    joint: Joint = field(default_factory=Joint)
+    title = "<script>alert('$x_1$')</script>: cuspidal"
+    return Figures(title, ("Two & three.",), value(), joint())
 
 
 @pytest.mark.parametrize("ending", [".png", ".svg", ".html"])
 def test_each_format_is_written(ending: str, tmp_path: Path) -> None:
     """PNG, SVG and HTML files begin as such files do and are not empty."""
     path = tmp_path / f"planes{ending}"
-    save_plot(Both(), path)
+    save_plot(both(), path)
     content = path.read_bytes()
     begins = {".png": b"\x89PNG", ".svg": b"<?xml", ".html": b"<!DOCTYPE html>"}
     assert content.startswith(begins[ending])
@@ -88,16 +85,16 @@ def test_each_format_is_written(ending: str, tmp_path: Path) -> None:
 def test_other_endings_and_folders_are_refused(tmp_path: Path) -> None:
     """An unknown ending and a missing folder are input errors that say what to do."""
     with pytest.raises(InvalidInputError, match=r"\.png, \.svg, \.html"):
-        save_plot(Both(), tmp_path / "planes.gif")
+        save_plot(both(), tmp_path / "planes.gif")
     with pytest.raises(InvalidInputError, match="folder that exists"):
-        save_plot(Both(), tmp_path / "nowhere" / "planes.html")
+        save_plot(both(), tmp_path / "nowhere" / "planes.html")
 
 
 def test_marks_of_the_svg_say_what_they_are() -> None:
     """Cusp, sample point, posture and region each carry a title."""
     titles = {
         element.text or ""
-        for element in ElementTree.fromstring(svg_text(Both())).iter()
+        for element in ElementTree.fromstring(svg_text(both())).iter()
         if element.tag.endswith("title")
     }
     for begins in ("cusp at", "node at", "sample point", "posture A", "aspect 1"):
@@ -106,12 +103,12 @@ def test_marks_of_the_svg_say_what_they_are() -> None:
 
 def test_the_svg_is_the_same_every_time() -> None:
     """Two drawings of one arm are equal byte for byte."""
-    assert svg_text(Both()) == svg_text(Both())
+    assert svg_text(both()) == svg_text(both())
 
 
 def test_the_page_stands_alone_and_a_name_is_only_a_name() -> None:
     """One script of our own, no link to elsewhere, and the arm's name is escaped."""
-    page = page_text(Both())
+    page = page_text(both())
     assert page.count("<script") == 2
     assert "<script>alert" not in page
     assert "&lt;script&gt;" in page
@@ -121,23 +118,23 @@ def test_the_page_stands_alone_and_a_name_is_only_a_name() -> None:
 
 def test_every_layer_that_is_drawn_can_be_hidden() -> None:
     """Each mark belongs to a layer, and each layer of this arm has its box."""
-    page, svg = page_text(Both()), svg_text(Both())
+    page, svg = page_text(both()), svg_text(both())
     for layer in LAYERS:
         assert f'id="{layer}-' in svg
         assert f'id="show-{layer}"' in page
-    empty = replace(Both(), joint=Joint(paths=()))
+    empty = replace(both(), joint=replace(joint(), paths=()))
     assert 'id="show-path"' not in page_text(empty)
 
 
 def test_the_page_knows_the_postures_of_every_cell() -> None:
     """The numbers of the grid are on the page, from the top, a digit a cell."""
-    text = page_text(Both()).split('id="sheet">')[1].split("</script>")[0]
+    text = page_text(both()).split('id="sheet">')[1].split("</script>")[0]
     assert json.loads(text) == {"window": [0, 2, -2, 2], "cells": ["4g", "02"]}
 
 
 def test_axes_are_labelled_and_lengths_are_to_scale() -> None:
     """Labels carry units; (rho, z) has equal scales; a turn has ticks at pi."""
-    left, right = figure(Both()).axes
+    left, right = figure(both()).axes
     assert left.get_xlabel() == "ρ (m)"
     assert left.get_aspect() == 1.0
     assert [tick.get_text() for tick in right.get_xticklabels()][-1] == "π"
@@ -146,7 +143,7 @@ def test_axes_are_labelled_and_lengths_are_to_scale() -> None:
 
 def test_the_critical_curve_is_red_and_the_legend_names_everything() -> None:
     """The legend has the curve, cusps with their number, cells and both aspects."""
-    left, right = figure(Both()).axes
+    left, right = figure(both()).axes
     assert left.lines[0].get_color() == RED
     names = [
         text.get_text()
@@ -161,54 +158,39 @@ def test_the_critical_curve_is_red_and_the_legend_names_everything() -> None:
         assert name in names
 
 
-@dataclass(frozen=True)
-class Leaf:
-    """A maximum made by hand."""
-
-    level: float
-    sign: int
-    aspect: int
-
-
-@dataclass(frozen=True)
-class Plane:
+def plane(*lines: np.ndarray) -> Slice:
     """A plane made by hand."""
-
-    title: str = "through N"
-    labels: tuple[str, str] = ("θ₂ (rad)", "θ₃ (rad)")
-    window: tuple[float, float, float, float] = (-1.0, 1.0, -1.0, 1.0)
-    heights: np.ndarray = field(
-        default_factory=lambda: np.linspace(-1, 1, 64).reshape(8, 8)
+    return Slice(
+        title="through N",
+        labels=("θ₂ (rad)", "θ₃ (rad)"),
+        window=(-1.0, 1.0, -1.0, 1.0),
+        heights=np.linspace(-1, 1, 64).reshape(8, 8),
+        marks={"N": np.array([0.1, 0.2])},
+        lines=lines,
     )
-    marks: dict[str, np.ndarray] = field(
-        default_factory=lambda: {"N": np.array([0.1, 0.2])}
-    )
-    lines: tuple[np.ndarray, ...] = ()
 
 
-@dataclass(frozen=True)
-class Hills:
+def hills() -> Landscape:
     """A landscape made by hand."""
-
-    title: str = "<b>hills</b>: cuspidal"
-    notes: tuple[str, ...] = ("Found in floating point.",)
-    leaves: tuple[Leaf, ...] = (Leaf(1.0, 1, 1), Leaf(0.5, 1, 1), Leaf(0.7, -1, 2))
-    branches: tuple[np.ndarray, ...] = (
-        np.array([[0, 1], [0, 0.2], [1, 0.2], [1, 0.5]]),
-        np.array([[0.5, 0], [0.5, 0.2]]),
-        np.array([[2, 0], [2, 0.7]]),
+    return Landscape(
+        title="<b>hills</b>: cuspidal",
+        notes=("Found in floating point.",),
+        leaves=(Leaf(1.0, 1, 1), Leaf(0.5, 1, 1), Leaf(0.7, -1, 2)),
+        branches=(
+            np.array([[0, 1], [0, 0.2], [1, 0.2], [1, 0.5]]),
+            np.array([[0.5, 0], [0.5, 0.2]]),
+            np.array([[2, 0], [2, 0.7]]),
+        ),
+        joins=np.array([[0.5, 0.2]]),
+        clearance=0.1,
+        ends={"A": np.array([0, 0.4]), "B": np.array([1, 0.3])},
+        slices=(plane(circle(0.5)), plane()),
     )
-    joins: np.ndarray = field(default_factory=lambda: np.array([[0.5, 0.2]]))
-    clearance: float | None = 0.1
-    ends: dict[str, np.ndarray] = field(
-        default_factory=lambda: {"A": np.array([0, 0.4]), "B": np.array([1, 0.3])}
-    )
-    slices: tuple[Plane, ...] = (Plane(lines=(circle(0.5),)), Plane())
 
 
 def test_a_landscape_has_its_tree_its_planes_and_its_layers() -> None:
     """Every mark says what it is, every layer has its box, the name is escaped."""
-    page = page_text(landscape_sheet(Hills()))
+    page = page_text(landscape_sheet(hills()))
     for says in (
         *("saddle: two groups join at 0.2000", "maximum of |det J|: 0.5000"),
         *("clearance of the witness: 0.1000", "A, at 0.4000 of the largest"),
@@ -222,5 +204,5 @@ def test_a_landscape_has_its_tree_its_planes_and_its_layers() -> None:
 
 def test_a_landscape_without_a_witness_has_no_path() -> None:
     """No clearance and no line: no box for a path."""
-    bare = replace(Hills(), clearance=None, ends={}, slices=(Plane(),))
+    bare = replace(hills(), clearance=None, ends={}, slices=(plane(),))
     assert 'id="show-path"' not in page_text(landscape_sheet(bare))
