@@ -41,7 +41,7 @@ OWNERS = {
         *("algebra", "geometry", "surface", "cuspidality"),
         *("certificate", "robot", "kinematics", "family"),
     },
-    "networkx": {"geometry", "surface"},
+    "networkx": {"geometry"},
     "yourdfpy": {"robot"},
     "meshcat": {"viz"},
     "matplotlib": {"viz"},

@@ -63,7 +63,8 @@ class Structure:
         length: the displacement of axes that a nearest arm with it needs, in ``unit``.
         angle: the turn of axes that it needs, in rad.
         unit: of ``length``.
-        verdict: of that nearest arm; it decides nothing about this one.
+        verdict: of that nearest arm, None where no theorem gives it; it decides
+            nothing about this one.
         aspects: of that nearest arm, where they are known.
     """
 
@@ -72,7 +73,7 @@ class Structure:
     length: float | None
     angle: float | None
     unit: str
-    verdict: Verdict
+    verdict: Verdict | None
     aspects: int | None
 
 
@@ -203,7 +204,7 @@ class Audit:
         return tuple(
             Structure(
                 **{name: entry[name] for name in fields if name != "verdict"},
-                verdict=Verdict(entry["verdict"]),
+                verdict=Verdict(entry["verdict"]) if entry["verdict"] else None,
             )
             for entry in self._record["structures"] or ()
         )

@@ -4,17 +4,19 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from enum import Enum
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from cuspaudit.auditing.evidence import Crowd, PairRecord, SearchRecord
-from cuspaudit.auditing.witness import Witness
 from cuspaudit.count import Count
-from cuspaudit.cuspidality.pair_decision import PairDecision
-from cuspaudit.cuspidality.surface_decision import SurfaceDecision
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import RetryableError, TimeLimitError, UnableError
-from cuspaudit.kinematics.exact_model import ExactModel
-from cuspaudit.kinematics.theorems.theorem import Reduction
+
+if TYPE_CHECKING:
+    from cuspaudit.auditing.evidence import Crowd, PairRecord, SearchRecord
+    from cuspaudit.auditing.witness import Witness
+    from cuspaudit.cuspidality.pair_decision import PairDecision
+    from cuspaudit.cuspidality.surface_decision import SurfaceDecision
+    from cuspaudit.kinematics.exact_model import ExactModel
+    from cuspaudit.kinematics.theorems.theorem import Reduction
 
 __all__ = ["Answer", "Reason", "Undecided", "stopped", "undecided"]
 

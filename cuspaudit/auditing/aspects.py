@@ -9,12 +9,16 @@ milliseconds. Otherwise covers with boxes count them, in seconds to minutes.
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from cuspaudit.count import Count
 from cuspaudit.errors import UnableError
-from cuspaudit.geometry.torus.components import TorusComponents, torus_components
 from cuspaudit.kinematics.determinant import jacobian_determinant
 from cuspaudit.kinematics.exact_model import ExactModel
 from cuspaudit.kinematics.fact import fact
+
+if TYPE_CHECKING:
+    from cuspaudit.geometry.torus.components import TorusComponents
 
 __all__ = ["aspect_components", "count_aspects"]
 
@@ -36,13 +40,11 @@ def aspect_components(
             depends on a joint that slides.
     """
     found = _without_covers(model)
-    if isinstance(found, TorusComponents):
+    if not isinstance(found, UnableError):
         return found
     if timeout is None or _slide(model) is not None:
         raise found
-    return torus_components(
-        model.ring, model.circles, jacobian_determinant(model), timeout
-    )
+    return _counted(model, timeout)
 
 
 @fact
@@ -52,11 +54,16 @@ def _without_covers(model: ExactModel) -> TorusComponents | UnableError:
     if slide is not None:
         return UnableError("aspects", f"det J depends on {slide}, which slides")
     try:
-        return torus_components(
-            model.ring, model.circles, jacobian_determinant(model), None
-        )
+        return _counted(model, None)
     except UnableError as limit:
         return limit
+
+
+def _counted(model: ExactModel, timeout: float | None) -> TorusComponents:
+    from cuspaudit.geometry.torus.components import torus_components  # heavy
+
+    determinant = jacobian_determinant(model)
+    return torus_components(model.ring, model.circles, determinant, timeout)
 
 
 def _slide(model: ExactModel) -> str | None:

@@ -103,8 +103,8 @@ def _written(robot: Robot, form: Form, policy: SnapPolicy, seed: int) -> str:
     """The snapped model of ``robot`` in ``form``."""
     from cuspaudit.kinematics.exact_model import exact_model
     from cuspaudit.kinematics.export import msolve_system, poly_text
-    from cuspaudit.robot import snap
     from cuspaudit.robot.formats.dh.write import table_text
+    from cuspaudit.robot.snapping import snap
 
     chain = snap(robot.chain, policy)[0]
     if form in (Form.dh, Form.dh_modified):

@@ -61,9 +61,9 @@ def _run(arguments: list[str], debug: bool) -> int:
     from cuspaudit.errors import CuspauditError, unforeseen
 
     try:
-        from cuspaudit.cli.app import app
+        from cuspaudit.cli.app import app_for
 
-        app(arguments)
+        app_for(arguments)(arguments)
     except SystemExit as end:
         return _code(end)
     except CuspauditError as error:

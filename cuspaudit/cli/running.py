@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from typing import TYPE_CHECKING
-
-from rich.console import Console
-from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 
 if TYPE_CHECKING:
     from cuspaudit.auditing.audit import Audit
@@ -50,10 +48,13 @@ def progress_bar(steps: Sequence[str]) -> Iterator[Callable[[str], None]]:
     On a terminal only. A step that is left out is passed over; one that comes again, or
     is not among ``steps``, moves nothing. What follows a colon is detail.
     """
-    console = Console(stderr=True)
-    if not console.is_terminal:
+    if not sys.stderr.isatty():
         yield lambda step: None
         return
+    from rich.console import Console
+    from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
+
+    console = Console(stderr=True)
     columns = (BarColumn(20), TimeElapsedColumn(), TextColumn("{task.description}"))
     with Progress(*columns, console=console, transient=True) as bar:
         task, done = bar.add_task(steps[0], total=len(steps)), 0

@@ -14,7 +14,6 @@ from cuspaudit.algebra.univariate import RealRoot, Univariate
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import DegenerateMapError, UnableError
 from cuspaudit.geometry.crit import crit
-from cuspaudit.geometry.graph_connected import graph_connected
 from cuspaudit.geometry.sample_points_rational import sample_points_rational
 from cuspaudit.surface.atypical_values import atypical_values
 from cuspaudit.surface.fibers import FiberPolynomials, fiber_polynomials
@@ -156,7 +155,7 @@ def _couples(graph: RoadmapGraph, samples: list[Fiber]) -> Iterator[SurfaceCoupl
     for fiber in samples:
         placed = zip(fiber.postures, graph.vert(fiber), strict=True)
         for (a, vertex_a), (b, vertex_b) in combinations(placed, 2):
-            if graph_connected(graph.graph, vertex_a, vertex_b):
+            if graph.connected(vertex_a, vertex_b):
                 yield SurfaceCouple(fiber.value, (a, b), vertex_a[1])
 
 

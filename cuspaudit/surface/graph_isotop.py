@@ -1,13 +1,16 @@
-"""The graph of a roadmap, with the vertices of query points (``GraphIsotop``)."""
+"""The graph of a roadmap, with the vertices of query points (``GraphIsotop``).
+
+It is a handful of chains and circles of strips. A search by breadth is all that is
+asked of it, and written here: loading a library of graphs takes longer than most runs.
+"""
 
 from __future__ import annotations
 
+from collections import deque
 from collections.abc import Hashable, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from typing import Any
-
-import networkx as nx
 
 from cuspaudit.algebra.ring import Polynomial
 from cuspaudit.algebra.univariate import PRECISIONS
@@ -25,14 +28,16 @@ class RoadmapGraph:
     """A graph with the connectivity of a roadmap.
 
     Attributes:
-        graph: a vertex (strip, sign) for every arc of the roadmap over a strip; an
-            edge where two arcs are joined over a zero of D, or (``around``) over the
-            point of the base circle without chart.
+        neighbors: a vertex (strip, sign) for every arc of the roadmap over a strip,
+            with those it has an edge to: two arcs are joined over a zero of D, or over
+            the point of the base circle without chart.
+        around: the edges over that point, each both ways.
         aspects: for every vertex the number of its connected component.
         placed: the vertex of every query point.
     """
 
-    graph: nx.Graph[Vertex]
+    neighbors: Mapping[Vertex, Sequence[Vertex]]
+    around: frozenset[tuple[Vertex, Vertex]]
     aspects: dict[Vertex, int]
     placed: Mapping[Any, Vertex]
 
@@ -44,19 +49,26 @@ class RoadmapGraph:
         """The number of the aspect a query point lies in."""
         return self.aspects[self.placed[posture]]
 
+    def connected(self, first: Vertex, second: Vertex) -> bool:
+        """Whether two vertices are connected (the paper's ``GraphConnected``)."""
+        return self.aspects[first] == self.aspects[second]
+
     def turns(self, first: Hashable, second: Hashable) -> int:
         """How often a way between two connected postures goes round the base circle.
 
         Counted with sign: crossings of the point without chart, upwards positive.
         """
-        way = nx.shortest_path(self.graph, self.placed[first], self.placed[second])
-        around = (e for e in pairwise(way) if self.graph.edges[e].get("around"))
-        return sum(1 if a[0] > b[0] else -1 for a, b in around)
+        start, end = self.placed[first], self.placed[second]
+        way, before = [end], _reached(self.neighbors, start)
+        while way[-1] != start:
+            way.append(before[way[-1]])
+        steps = ((a, b) for a, b in pairwise(reversed(way)) if (a, b) in self.around)
+        return sum(1 if a[0] > b[0] else -1 for a, b in steps)
 
     @property
     def number_of_aspects(self) -> int:
         """The number of connected components of V - {Delta = 0}."""
-        return nx.number_connected_components(self.graph)
+        return len(set(self.aspects.values()))
 
 
 def graph_isotop(
@@ -75,25 +87,55 @@ def graph_isotop(
     Raises:
         PrecisionError: a posture could not be separated from a zero of D.
     """
-    graph: nx.Graph[Vertex] = nx.Graph()
-    for index, strip in enumerate(roadmap.strips):
-        graph.add_nodes_from((index, sign) for sign in strip.signs)
+    neighbors: dict[Vertex, list[Vertex]] = {
+        (index, sign): []
+        for index, strip in enumerate(roadmap.strips)
+        for sign in strip.signs
+    }
+
+    def join(first: Vertex, second: Vertex) -> None:
+        neighbors[first].append(second)
+        neighbors[second].append(first)
+
     for index, sign in enumerate(roadmap.passing):
         if sign:
-            graph.add_edge((index, sign), (index + 1, sign))
+            join((index, sign), (index + 1, sign))
     last = len(roadmap.strips) - 1
+    around: list[tuple[Vertex, Vertex]] = []
     if roadmap.is_closed and last:
         for sign in roadmap.strips[0].signs:
-            if not graph.has_edge((0, sign), (last, sign)):
-                graph.add_edge((0, sign), (last, sign), around=True)
-    aspects = {
-        vertex: number
-        for number, component in enumerate(nx.connected_components(graph))
-        for vertex in component
-    }
+            low, high = (0, sign), (last, sign)
+            if high not in neighbors[low]:
+                join(low, high)
+                around += [(low, high), (high, low)]
     numerator, _ = roadmap.surface.chart(delta)
     placed = {p: (_strip(roadmap, p), p.sign(numerator)) for p in postures}
-    return RoadmapGraph(graph, aspects, placed)
+    return RoadmapGraph(neighbors, frozenset(around), _components(neighbors), placed)
+
+
+def _components(neighbors: Mapping[Vertex, Sequence[Vertex]]) -> dict[Vertex, int]:
+    """The number of its connected component, for every vertex."""
+    numbers: dict[Vertex, int] = {}
+    count = 0
+    for vertex in neighbors:
+        if vertex not in numbers:
+            numbers.update(dict.fromkeys(_reached(neighbors, vertex), count))
+            count += 1
+    return numbers
+
+
+def _reached(
+    neighbors: Mapping[Vertex, Sequence[Vertex]], start: Vertex
+) -> dict[Vertex, Vertex]:
+    """What a search by breadth from ``start`` meets, each with the vertex before it."""
+    before, waiting = {start: start}, deque([start])
+    while waiting:
+        vertex = waiting.popleft()
+        for other in neighbors[vertex]:
+            if other not in before:
+                before[other] = vertex
+                waiting.append(other)
+    return before
 
 
 def _strip(roadmap: Roadmap, posture: Posture) -> int:

@@ -36,9 +36,20 @@ def test_an_audit_says_what_it_found(paper: cu.Audit) -> None:
     assert paper.aspects is not None
     assert (paper.aspects.count, paper.aspects.proved) == (2, True)
     assert "path" in paper.why
-    assert (paper.within_limits, paper.structures) == (None, ())
+    assert paper.within_limits is None
     assert paper.to_dict()["verdict"] == "cuspidal"
     json.dumps(paper.to_dict(), allow_nan=False)
+
+
+def test_structures_come_nearest_first_and_decide_nothing(paper: cu.Audit) -> None:
+    """Each has a distance and the verdict of the arm that would have it."""
+    found = paper.structures
+    assert found
+    assert not any(structure.holds for structure in found)
+    assert {structure.verdict for structure in found} <= {*cu.Verdict, None}
+    assert [s.name for s in found] == [
+        entry["name"] for entry in paper.to_dict()["structures"]
+    ]
 
 
 def test_what_to_dict_gives_belongs_to_the_caller(paper: cu.Audit) -> None:

@@ -11,7 +11,7 @@ import jsonschema
 import pytest
 from typer.testing import CliRunner
 
-from cuspaudit.cli.app import app
+from cuspaudit.cli.app import app_for
 from cuspaudit.errors import AssumptionError
 
 SYSTEMS = Path(__file__).parents[1] / "systems"
@@ -19,7 +19,7 @@ SYSTEMS = Path(__file__).parents[1] / "systems"
 
 def run(*arguments: str) -> tuple[int, str]:
     """Exit code and standard output of the command."""
-    result = CliRunner().invoke(app, ["decide", *arguments])
+    result = CliRunner().invoke(app_for(["decide"]), ["decide", *arguments])
     if result.exception and not isinstance(result.exception, SystemExit):
         raise result.exception
     return result.exit_code, result.stdout

@@ -10,7 +10,9 @@ import yaml
 from short_tables import arm
 
 import cuspaudit
-from cuspaudit.cuspidality import decide, decide_pairs, decide_surface
+from cuspaudit.cuspidality.decision import decide
+from cuspaudit.cuspidality.pair_decision import decide_pairs
+from cuspaudit.cuspidality.surface_decision import decide_surface
 from cuspaudit.kinematics.exact_model import exact_model
 from cuspaudit.kinematics.polynomial_map import reduced_map
 from cuspaudit.robot.library import open_robot

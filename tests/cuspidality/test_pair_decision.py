@@ -11,10 +11,10 @@ from short_tables import Number
 from surfaces import arm_map, cylinder, decided, torus
 
 from cuspaudit.algebra.system import PolynomialMap, PolynomialSystem
-from cuspaudit.cuspidality import Verdict, decide_pairs
-from cuspaudit.cuspidality.pair_decision import PairDecision
+from cuspaudit.cuspidality.pair_decision import PairDecision, decide_pairs
 from cuspaudit.cuspidality.surface_decision import SurfaceDecision
 from cuspaudit.cuspidality.surface_path import propose_paths
+from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import DegenerateMapError, UnableError
 
 Map = tuple[PolynomialSystem, PolynomialMap]

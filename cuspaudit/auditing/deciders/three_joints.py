@@ -10,7 +10,6 @@ from dataclasses import replace
 from cuspaudit.auditing.answer import Answer, Reason, stopped
 from cuspaudit.auditing.case import Case
 from cuspaudit.count import Count
-from cuspaudit.cuspidality.decision import Decision, decide
 from cuspaudit.cuspidality.pair_decision import PairDecision, decide_pairs
 from cuspaudit.cuspidality.surface_decision import SurfaceDecision, decide_surface
 from cuspaudit.cuspidality.verdict import Verdict
@@ -75,7 +74,9 @@ def _sampled(model: ExactModel, clock: Clock) -> tuple[Answer, SurfaceDecision]:
 
 def _confirmed(found: Answer, surface: SurfaceDecision, clock: Clock) -> Answer:
     """The answer, with the routing's agreement."""
-    routed: Decision = decide(*reduced_map(found.model), "routing", progress=clock.step)
+    from cuspaudit.cuspidality.decision import decide
+
+    routed = decide(*reduced_map(found.model), "routing", progress=clock.step)
     if routed.failure is not None:
         raise routed.failure
     own = (surface.verdict, surface.aspects)

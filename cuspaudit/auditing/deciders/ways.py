@@ -2,19 +2,18 @@
 
 Each is a function of the case and the clock. It returns None where it has nothing to
 say, and else the answer so far: built from `Case.so_far`, with what it found. To add
-one: a file beside this one, and a line here.
+one: a file beside this one, and a line here. What is needed only where the ways before
+left the case open is loaded then, so that no arm waits for what it does not need.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from importlib import import_module
 
 from cuspaudit.auditing.answer import Answer
 from cuspaudit.auditing.case import Case
-from cuspaudit.auditing.deciders.by_pairs import by_pair_maxima
-from cuspaudit.auditing.deciders.by_pigeonhole import by_pigeonhole
-from cuspaudit.auditing.deciders.by_search import by_search
 from cuspaudit.auditing.deciders.by_theorem import by_theorem
 from cuspaudit.auditing.deciders.certify import by_couple
 from cuspaudit.auditing.deciders.three_joints import by_all_pairs, by_sample_values
@@ -36,6 +35,21 @@ class Way:
     decide: Callable[[Case, Clock], Answer | None]
 
 
+def _when_open(file: str, name: str) -> Callable[[Case, Clock], Answer | None]:
+    """The way ``name`` in ``file`` beside this one, for a case that is still open."""
+
+    def decide(case: Case, clock: Clock) -> Answer | None:
+        if case.so_far is None or case.so_far.undecided is None:
+            return None
+        module = import_module(f"cuspaudit.auditing.deciders.{file}")
+        way: Callable[[Case, Clock], Answer | None] = getattr(module, name)
+        return way(case, clock)
+
+    return decide
+
+
+_BY_SEARCH = Way("search", _when_open("by_search", "by_search"))
+
 EXACT = (
     Way("decide", by_sample_values),
     Way("decide", by_all_pairs),
@@ -46,11 +60,11 @@ EXACT = (
 WAYS = (
     *EXACT,
     Way("certify", by_couple),
-    Way("search", by_pigeonhole),
-    Way("search", by_search),
-    Way("pairs", by_pair_maxima),
+    Way("search", _when_open("by_pigeonhole", "by_pigeonhole")),
+    _BY_SEARCH,
+    Way("pairs", _when_open("by_pairs", "by_pair_maxima")),
 )
 """All of them."""
 
-HAIR = (*EXACT, Way("certify", by_couple), Way("search", by_search))
+HAIR = (*EXACT, Way("certify", by_couple), _BY_SEARCH)
 """Those for the numbers as written, where the snapped ones were asked before."""

@@ -24,6 +24,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from math import prod
+from typing import TYPE_CHECKING
 
 from flint import arb
 
@@ -35,9 +36,11 @@ from cuspaudit.algebra.trigonometric import (
     reduce_on_circles,
 )
 from cuspaudit.errors import DegenerateMapError, UnableError
-from cuspaudit.geometry.torus.arcs import Arcs, arcs
-from cuspaudit.geometry.torus.halves import Halves, halves
 from cuspaudit.geometry.torus.walls import Walls
+
+if TYPE_CHECKING:
+    from cuspaudit.geometry.torus.arcs import Arcs
+    from cuspaudit.geometry.torus.halves import Halves
 
 __all__ = ["HalfCircles", "TorusComponents", "torus_components"]
 
@@ -222,6 +225,10 @@ def _part(
             forms = common_forms(ring, base, p, q)
             return HalfCircles(ring, function, fiber, (p, q), _walls(ring, base, forms))
     if timeout is not None:
+        # covers are rare, and load a library of graphs
+        from cuspaudit.geometry.torus.arcs import arcs
+        from cuspaudit.geometry.torus.halves import halves
+
         found = halves(ring, circles, function, timeout / 2)
         return found or arcs(ring, circles, function, timeout)
     raise UnableError("torus_components", "a factor is linear along no circle")

@@ -6,7 +6,6 @@ from pathlib import Path
 
 from cuspaudit.robot.formats.dh.lines import LINE_ENDINGS
 from cuspaudit.robot.formats.dh.read import read_dh
-from cuspaudit.robot.formats.urdf.read import read_urdf
 from cuspaudit.robot.place import Place, quoted
 from cuspaudit.robot.robot import Robot
 
@@ -55,6 +54,8 @@ def read_robot(
             length_unit=length_unit,
         )
     if path.suffix.lower() in (".urdf", ".xml", ".xacro"):
+        from cuspaudit.robot.formats.urdf.read import read_urdf
+
         return read_urdf(path, base=base, tip=tip, task=task)
     found = f"files ending in {quoted(path.suffix)} are unknown"
     raise place.error(found, f"give a .urdf, {', '.join(TABLES)} file")

@@ -16,14 +16,12 @@ from cuspaudit.auditing.answer import Reason
 from cuspaudit.auditing.aspects import count_aspects
 from cuspaudit.auditing.audit import audit
 from cuspaudit.auditing.case import Case
-from cuspaudit.auditing.deciders.by_pairs import by_pair_maxima
 from cuspaudit.auditing.deciders.by_pigeonhole import (
     by_pigeonhole,
     crowded_aspects,
     crowded_pose,
     postures_by_aspect,
 )
-from cuspaudit.auditing.deciders.by_search import by_search
 from cuspaudit.auditing.deciders.decide import answer, decide
 from cuspaudit.auditing.deciders.ways import EXACT, WAYS, Way
 from cuspaudit.auditing.proof_record import proof_record
@@ -100,7 +98,9 @@ def test_a_crowded_aspect_decides_where_no_path_is_proved(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """CUSPIDAL, exact, with the pose and two postures named, and no certificate."""
-    nothing = [way for way in WAYS if way.decide not in (by_search, by_pair_maxima)]
+    search = WAYS[-2:]
+    assert [way.stage for way in search] == ["search", "pairs"]
+    nothing = WAYS[:-2]
     monkeypatch.setattr(
         module, "decide", lambda case, clock, ways=nothing: decide(case, clock, ways)
     )

@@ -13,7 +13,7 @@ from short_tables import arm, ask, with_wrist
 from cuspaudit.algebra.numeric import NumericPolynomial
 from cuspaudit.auditing.search.pair_maxima import PROVED, PairRecord, pair_maxima
 from cuspaudit.auditing.search.pair_space import PairSpace, separation
-from cuspaudit.cuspidality import decide_pairs
+from cuspaudit.cuspidality.pair_decision import decide_pairs
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import UnableError
 from cuspaudit.geometry.torus.function import TorusFunction
