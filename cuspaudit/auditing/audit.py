@@ -14,7 +14,8 @@ from cuspaudit.auditing.deciders.decide import decide
 from cuspaudit.auditing.deciders.ways import HAIR
 from cuspaudit.auditing.options import Options
 from cuspaudit.auditing.record import Audit
-from cuspaudit.auditing.structures import near_structures
+from cuspaudit.auditing.structure_certificate import structure_certificate
+from cuspaudit.auditing.structures import near_structures, why_undecided
 from cuspaudit.auditing.witness import Witness
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import (
@@ -25,6 +26,7 @@ from cuspaudit.errors import (
 )
 from cuspaudit.kinematics.exact_model import ExactModel, exact_model
 from cuspaudit.kinematics.neighbors import coincide, parallel
+from cuspaudit.robot.chain import Chain
 from cuspaudit.robot.robot import Robot
 from cuspaudit.robot.snapping import Snapped, snap
 from cuspaudit.robot.virtual_joint import with_virtual_joint, without_virtual_joint
@@ -54,6 +56,9 @@ def audit(robot: Robot, options: Options | None = None) -> Audit:
         structures = near_structures(found)
     with clock.stage("literal"):
         verdict, proof = _literal(replace(case, so_far=found), clock)
+        why = None
+        if verdict is Verdict.UNDECIDED:
+            why = why_undecided(exact_model(literal))
     with clock.stage("crosscheck"):
         clock.step("crosscheck", always=True)
         check = _check(robot, found, snapped, options)
@@ -69,6 +74,7 @@ def audit(robot: Robot, options: Options | None = None) -> Audit:
         options.snap,
         proof,
         structures,
+        why,
     )
 
 
@@ -114,6 +120,7 @@ def _literal(case: Case, clock: Clock) -> tuple[Verdict, Witness | None]:
 
     CUSPIDAL with a certificate for them; without one either verdict only if their
     model is exact: what holds within 1e-12 rad of them may hold for the model alone.
+    Else NONCUSPIDAL with a structure certificate for them.
 
     Args:
         case: the arm, with the answer for its model.
@@ -128,10 +135,16 @@ def _literal(case: Case, clock: Clock) -> tuple[Verdict, Witness | None]:
             other = Case(exact_model(literal), literal, case.seed, poses=HAIR_POSES)
             found = decide(other, Clock(clock.left, clock.tell), HAIR)
         except (UnableError, AssumptionError):
-            return Verdict.UNDECIDED, None
+            return _by_structure(literal), None
     if found.witness is None and not found.model.is_exact:
-        return Verdict.UNDECIDED, None
+        return _by_structure(literal), None
     return found.verdict, found.witness
+
+
+def _by_structure(chain: Chain) -> Verdict:
+    """NONCUSPIDAL where the relations of a theorem are proved for these numbers."""
+    proved = structure_certificate(chain) is not None
+    return Verdict.NONCUSPIDAL if proved else Verdict.UNDECIDED
 
 
 def _check(

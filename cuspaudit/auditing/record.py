@@ -43,6 +43,7 @@ class Audit:
         literal: the verdict for the literal chain.
         literal_witness: proves it CUSPIDAL where ``witness`` is not for that chain.
         structures: that would decide the arm, nearest first; they decide nothing here.
+        why_literal: what the literal chain is near to, where ``literal`` is UNDECIDED.
         check: the comparison with Pinocchio.
         seconds: time of each stage.
         seed: of the random choices.
@@ -60,6 +61,7 @@ class Audit:
     policy: SnapPolicy = DEFAULT_POLICY
     literal_witness: Witness | None = None
     structures: tuple[Structure, ...] = ()
+    why_literal: str | None = None
 
     @property
     def verdict(self) -> Verdict:
@@ -94,6 +96,7 @@ class Audit:
             },
             "witness": self._witness(certificate),
             "literal_witness": self._literal_witness(),
+            "literal_why": self.why_literal,
             "crowd": answer.crowd.record() if answer.crowd else None,
             "models": {"literal": self.literal.value, "snapped": self.verdict.value},
             "limits": None,

@@ -27,8 +27,9 @@ from cuspaudit.kinematics.theorems.neighbouring_axes import (
     neighbouring_axes,
 )
 from cuspaudit.kinematics.theorems.registry import reduction_of
+from cuspaudit.robot.distance_text import distance_text, structure_words
 
-__all__ = ["Structure", "near_structures"]
+__all__ = ["Structure", "near_structures", "why_undecided"]
 
 
 @dataclass(frozen=True)
@@ -69,6 +70,16 @@ def near_structures(found: Answer) -> tuple[Structure, ...]:
     near = nearest_structures(found.model)
     judged = (_judged(structure, found) for structure in near)
     return tuple(structure for structure in judged if structure is not None)
+
+
+def why_undecided(model: ExactModel) -> str | None:
+    """Which settled structure an undecided arm is nearest to; None without any."""
+    for near in nearest_structures(model):
+        if is_regular_somewhere(near.model) and _is_settled(near):
+            distance = distance_text(near.length, near.angle, model.chain.unit)
+            away = distance or "less than 1e-12 of the reach"
+            return f"{away} from {structure_words(near.name)}, noncuspidal"
+    return None
 
 
 def _judged(near: NearStructure, found: Answer) -> Structure | None:

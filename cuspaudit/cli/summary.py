@@ -32,7 +32,7 @@ def print_summary(record: Mapping[str, Any], files: Mapping[str, Any]) -> None:
         "why": proof["why"],
         "proof": ", ".join([proof["kind"], *proof["rests_on"]]),
         "literal": f"{models['literal']} for the numbers exactly as the file has them"
-        + _hair(record.get("literal_witness")),
+        + _hair(record.get("literal_witness"), record.get("literal_why")),
         "snapped": f"{len(robot['snapped'])} numbers; see `cuspaudit import`"
         if robot["snapped"]
         else None,
@@ -59,8 +59,13 @@ def print_summary(record: Mapping[str, Any], files: Mapping[str, Any]) -> None:
     console.print(table)
 
 
-def _hair(witness: Mapping[str, Any] | None) -> str:
-    """How little, when the numbers of the file have a witness of their own."""
+def _hair(witness: Mapping[str, Any] | None, why: str | None) -> str:
+    """How little, when the numbers of the file have a witness of their own.
+
+    Where they are undecided, the structure that they are nearest to.
+    """
+    if why:
+        return f", {why}"
     if witness is None or witness["clearance"] is None:
         return ""
     return f", with clearance {witness['clearance']:.1e}"

@@ -30,7 +30,7 @@ KEYS: dict[str, set[str]] = {
     "": {
         *("schema", "robot", "verdict", "proof", "aspects", "postures", "singular"),
         *("witness", "models", "limits", "crosscheck", "undecided", "seconds"),
-        *("versions", "seed", "literal_witness", "crowd"),
+        *("versions", "seed", "literal_witness", "literal_why", "crowd"),
         *("cusp", "structures", "margin", "tolerance"),
     },
     "robot": {"name", "file", "joints", "base", "tip", "task", "exact", "snapped"},

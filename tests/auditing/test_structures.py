@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from fractions import Fraction
 
 import pytest
 from short_tables import arm, ask, shift, with_wrist
@@ -14,8 +15,9 @@ from cuspaudit.cli.summary import print_summary
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.kinematics.exact_model import exact_model
 from cuspaudit.kinematics.nearest.nearest_structures import nearest_structures
-from cuspaudit.robot.chain import Chain
+from cuspaudit.robot.chain import X_AXIS, Angle, Chain, Rotation
 from cuspaudit.robot.library import open_robot
+from cuspaudit.robot.robot import Robot
 from cuspaudit.viz import render_page
 
 ELBOW = ((0, 2, "3/2"), (1, "1/4", 0), (90, 180, 0))
@@ -96,3 +98,48 @@ def test_tasks_without_patterns_have_no_structures() -> None:
     assert exact_model(found.chain).chain.task == "position-and-angle"
     assert found.record()["structures"] is None
     assert "Nearest structures" not in render_page(found.record())
+
+
+def printed(chain: Chain, quarter: str) -> Robot:
+    """The robot of a chain whose quarter turns are printed in rad."""
+    turns = {
+        Angle(Fraction(sign, 2)): Angle(radians=sign * Fraction(quarter))
+        for sign in (1, -1)
+    }
+    joints = [
+        replace(
+            joint,
+            before=tuple(
+                replace(motion, angle=turns.get(motion.angle, motion.angle))
+                if isinstance(motion, Rotation)
+                else motion
+                for motion in joint.before
+            ),
+        )
+        for joint in chain.joints
+    ]
+    return Robot("printed", "printed.urdf", chain.with_joints(joints))
+
+
+def test_a_structure_that_needs_no_rounding_decides_the_literal_numbers() -> None:
+    """1.5708 is no right angle, but the wrist and the parallel axes need none."""
+    found = audit(printed(with_wrist(arm(*ELBOW)), "1.5708"), Options())
+    assert found.verdict is found.literal is Verdict.NONCUSPIDAL
+    assert not exact_model(found.robot.chain).is_exact
+    assert found.record()["literal_why"] is None
+
+
+def test_undecided_numbers_name_what_they_are_near_to() -> None:
+    """Two turns of 1.5708 that bring axis 3 back to axis 2 miss by 7.3 microradians."""
+    chain = with_wrist(arm((1, 2, "3/2"), (0, 1, "1/3"), (90, 60, 0)))
+    nearly = chain.joints[2].before[:-1]
+    quarter = Rotation(X_AXIS, Angle(radians=Fraction("1.5708")))
+    third = replace(chain.joints[2], before=(*nearly, quarter, quarter))
+    robot = Robot(
+        "nearly",
+        "nearly.urdf",
+        chain.with_joints([*chain.joints[:2], third, *chain.joints[3:]]),
+    )
+    found = audit(robot, Options())
+    assert found.literal is Verdict.UNDECIDED
+    assert found.why_literal == "0.0073 mrad from a triple and pair, noncuspidal"

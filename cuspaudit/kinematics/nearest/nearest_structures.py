@@ -30,6 +30,7 @@ from cuspaudit.kinematics.nearest.meeting import (
 )
 from cuspaudit.kinematics.nearest.patterns import Pattern, Relation, Way, patterns_for
 from cuspaudit.kinematics.theorems.theorem import Reduction
+from cuspaudit.robot.chain import Chain
 
 __all__ = ["AxisMove", "NearStructure", "nearest_structures"]
 
@@ -85,36 +86,82 @@ def nearest_structures(model: ExactModel) -> tuple[NearStructure, ...]:
 
     A structure that no arm near by has (axes that would meet are parallel) is left out.
     """
-    chain = model.chain
-    links = links_of(chain)
-    reach = reach_of(links)
-    if reach == 0:
+    moves = _Moves(model.chain)
+    if moves.reach == 0:
         return ()
-    arm = _Arm(model, links, reach)
-    found = [_nearest(arm, pattern) for pattern in patterns_for(chain)]
+    held: dict[Relation, bool] = {}
+    found = (
+        _held(model, pattern, held) or _nearest(model, pattern, moves)
+        for pattern in patterns_for(model.chain)
+    )
     return tuple(sorted(filter(None, found), key=lambda structure: structure.size))
 
 
-class _Arm:
-    """An arm, and for each relation whether it holds and the least move for it."""
-
-    def __init__(self, model: ExactModel, links: Sequence[Link], reach: float) -> None:
-        self.model, self.links, self.reach = model, links, reach
-        self._held: dict[Relation, bool] = {}
-        self._moves: dict[Relation, Move | Meeting | None] = {}
-
-    def has(self, way: Way) -> bool:
-        """Whether all relations of the way hold exactly."""
+def _held(
+    model: ExactModel, pattern: Pattern, held: dict[Relation, bool]
+) -> NearStructure | None:
+    """The arm itself, if it has the structure; relations are tested once."""
+    for way in pattern.ways:
         for relation in way:
-            if relation not in self._held:
-                self._held[relation] = relation.holds(self.model)
-        return all(self._held[relation] for relation in way)
+            if relation not in held:
+                held[relation] = relation.holds(model)
+        if all(held[relation] for relation in way):
+            reduction = pattern.theorem.apply(model)
+            if reduction is not None:
+                return NearStructure(
+                    pattern.theorem.name,
+                    True,
+                    0.0,
+                    0.0,
+                    0.0,
+                    _sentence(way),
+                    (),
+                    model,
+                    reduction,
+                )
+    return None
+
+
+def _nearest(
+    model: ExactModel, pattern: Pattern, moves: _Moves
+) -> NearStructure | None:
+    for moved in _ways(pattern, moves)[:_TRIED]:
+        near = exact_model(exact_arm(model.chain, moved.links(moves.links)))
+        reduction = pattern.theorem.apply(near)
+        if reduction is not None:
+            return NearStructure(
+                pattern.theorem.name,
+                False,
+                moved.length,
+                moved.angle,
+                moved.size,
+                _sentence(moved.way),
+                moved.axes,
+                near,
+                reduction,
+            )
+    return None
+
+
+def _ways(pattern: Pattern, moves: _Moves) -> list[_Moved]:
+    """The ways to a structure, each with its least moves, nearest first."""
+    found = (_moved(way, moves) for way in pattern.ways)
+    return sorted(filter(None, found), key=lambda moved: moved.size)
+
+
+class _Moves:
+    """The links of an arm, and the least move for each relation, found once."""
+
+    def __init__(self, chain: Chain) -> None:
+        self.links = links_of(chain)
+        self.reach = reach_of(self.links)
+        self._found: dict[Relation, Move | Meeting | None] = {}
 
     def least(self, relation: Relation) -> Move | Meeting | None:
         """The least move that makes the relation hold."""
-        if relation not in self._moves:
-            self._moves[relation] = self._least(relation)
-        return self._moves[relation]
+        if relation not in self._found:
+            self._found[relation] = self._least(relation)
+        return self._found[relation]
 
     def _least(self, relation: Relation) -> Move | Meeting | None:
         k, reach = relation.first - 1, self.reach
@@ -127,36 +174,6 @@ class _Arm:
                 return square_and_meeting(self.links[k], reach)
             case _:
                 return concurrent(self.links[k], self.links[k + 1], reach)
-
-
-def _nearest(arm: _Arm, pattern: Pattern) -> NearStructure | None:
-    held = next((way for way in pattern.ways if arm.has(way)), None)
-    if held is not None:
-        reduction, way = pattern.theorem.apply(arm.model), _sentence(held)
-        if reduction is not None:
-            return NearStructure(
-                pattern.theorem.name, True, 0.0, 0.0, 0.0, way, (), arm.model, reduction
-            )
-    ways = sorted(
-        (moved for way in pattern.ways if (moved := _moved(way, arm))),
-        key=lambda moved: moved.size,
-    )
-    for moved in ways[:_TRIED]:
-        model = exact_model(exact_arm(arm.model.chain, moved.links(arm.links)))
-        reduction = pattern.theorem.apply(model)
-        if reduction is not None:
-            return NearStructure(
-                pattern.theorem.name,
-                False,
-                moved.length,
-                moved.angle,
-                moved.size,
-                _sentence(moved.way),
-                moved.axes,
-                model,
-                reduction,
-            )
-    return None
 
 
 @dataclass(frozen=True, eq=False)
@@ -226,9 +243,9 @@ def _slide_places(links: list[Link], k: int, move: Meeting) -> None:
         links[k + 2] = replace(links[k + 2], step=step)
 
 
-def _moved(way: Way, arm: _Arm) -> _Moved | None:
-    found = [move for relation in way if (move := arm.least(relation)) is not None]
-    return _Moved(way, tuple(found), arm.reach) if len(found) == len(way) else None
+def _moved(way: Way, moves: _Moves) -> _Moved | None:
+    found = [move for relation in way if (move := moves.least(relation)) is not None]
+    return _Moved(way, tuple(found), moves.reach) if len(found) == len(way) else None
 
 
 def _sentence(way: Way) -> str:
