@@ -8,6 +8,7 @@ from typing import Annotated
 
 import typer
 
+from cuspaudit.cli.chains import audit_chains, check_alone
 from cuspaudit.cli.exit_codes import OF_VERDICT
 from cuspaudit.cli.opening import open_named
 from cuspaudit.cli.options import (
@@ -58,6 +59,14 @@ def audit(
     snap: Snap = "default",
     seed: Seed = 0,
     timeout: Timeout = None,
+    every: Annotated[
+        bool,
+        typer.Option(
+            "--all",
+            help="Audit every arm-like chain of a robot with several: a line each. "
+            "Exit 0.",
+        ),
+    ] = False,
     exit_zero: Annotated[
         bool, typer.Option("--exit-zero", help="Exit 0 whatever the verdict.")
     ] = False,
@@ -72,6 +81,13 @@ def audit(
         files.append(Path(json_file or ""))
     for file in files:
         check_writable(file)
+    if every:
+        check_alone(
+            {"--tip": tip, "--task": task, "--lock": lock}
+            | {"--html": html, "--certificate": certificate}
+        )
+        audit_chains(robot, base, json_file, engine.value, snap, seed, timeout)
+        return
     opened = open_named(
         robot, base, tip, task, lock, convention, angle_unit, length_unit
     )

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from cuspaudit.cli.chains import print_chains
 from cuspaudit.cli.opening import open_named
 from cuspaudit.cli.options import (
     AngleUnit,
@@ -64,7 +65,10 @@ def import_(
     ] = False,
     seed: Seed = 0,
 ) -> None:
-    """Show what was understood: chain, polynomial map, snapped numbers."""
+    """Show what was understood: chain, polynomial map, snapped numbers.
+
+    Of a robot with several serial chains: a line for each, with its options.
+    """
     if names:
         _print_names()
         return
@@ -75,8 +79,14 @@ def import_(
             expected="give ROBOT, or --list for the names known",
         )
     from cuspaudit.auditing.import_record import understood
+    from cuspaudit.robot.library import serial_chains
     from cuspaudit.robot.snap_policy import policy_from_name
 
+    chains = [] if tip or to else serial_chains(robot, base)
+    if len(chains) > 1:
+        records = [chain.record() for chain in chains]
+        typer.echo(json.dumps(records, indent=1)) if as_json else print_chains(records)
+        return
     square = to in (Form.poly, Form.msolve)
     opened = open_named(
         robot, base, tip, task, lock, convention, angle_unit, length_unit, square=square

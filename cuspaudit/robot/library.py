@@ -13,19 +13,23 @@ from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import cuspaudit
 from cuspaudit.errors import InvalidRobotError
 from cuspaudit.robot.chain import Angle
 from cuspaudit.robot.descriptions import description_file, description_names
-from cuspaudit.robot.formats.read_robot import TABLES, read_robot
+from cuspaudit.robot.formats.read_robot import TABLES, chains_in, read_robot
 from cuspaudit.robot.numbers import format_angle, format_rational
 from cuspaudit.robot.place import listing, quoted
 from cuspaudit.robot.robot import Robot
 from cuspaudit.robot.task import check_task, default_task
 from cuspaudit.robot.task import lock as lock_joints
 
-__all__ = ["example_robot_data", "library", "open_robot"]
+if TYPE_CHECKING:
+    from cuspaudit.robot.formats.choice import Candidate
+
+__all__ = ["example_robot_data", "library", "open_robot", "serial_chains"]
 
 _ENDINGS = (".urdf", ".xacro", ".xml", *TABLES)
 
@@ -87,6 +91,15 @@ def _written(value: str | Angle | Fraction) -> str:
     if isinstance(value, str):
         return value
     return format_angle(value) if isinstance(value, Angle) else format_rational(value)
+
+
+def serial_chains(name_or_path: str | Path, base: str | None = None) -> list[Candidate]:
+    """The serial chains of a robot, likely ones first; see `read_robot.chains_in`.
+
+    Raises:
+        InvalidRobotError: no such robot, or it cannot be read.
+    """
+    return chains_in(_find(name_or_path), base)
 
 
 def library() -> list[tuple[str, Path]]:

@@ -1,7 +1,9 @@
 from __future__ import annotations
 
 import re
+import shlex
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -36,7 +38,7 @@ def test_example_robots_open_by_name() -> None:
 
 
 def test_every_example_with_a_moving_chain_imports() -> None:
-    """A URDF of example-robot-data imports, by a tip out of those it lists if many."""
+    """A URDF of example-robot-data imports, by the first options it lists if many."""
     empty = {"iris_simple", "quadrotor_base", "ur3"}
     for name, path in library():
         if path.suffix != ".urdf" or name in empty:
@@ -44,10 +46,19 @@ def test_every_example_with_a_moving_chain_imports() -> None:
         try:
             robot = open_robot(path, square=False)
         except InvalidRobotError as error:
-            tips = re.search(r'possible tips: "([^"]+)"', str(error))
-            assert tips is not None, name
-            robot = open_robot(path, tip=tips[1], square=False)
+            listed = re.search(r"choose one: (--.+?) \([0-9]+ joint", str(error))
+            assert listed is not None, name
+            robot = open_robot(path, square=False, **keywords(listed[1]))
         assert robot.chain.joints, name
+
+
+def keywords(options: str) -> dict[str, Any]:
+    """The arguments of `open_robot` that pasted options stand for."""
+    words = shlex.split(options)
+    pairs = list(zip(words[::2], words[1::2], strict=True))
+    locks = [value.split("=") for option, value in pairs if option == "--lock"]
+    found: dict[str, Any] = {k[2:]: v for k, v in pairs if k != "--lock"}
+    return found | ({"lock": dict(locks)} if locks else {})
 
 
 @pytest.mark.parametrize(

@@ -3,15 +3,35 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from cuspaudit.robot.formats.dh.lines import LINE_ENDINGS
 from cuspaudit.robot.formats.dh.read import read_dh
 from cuspaudit.robot.place import Place, quoted
 from cuspaudit.robot.robot import Robot
 
-__all__ = ["TABLES", "read_robot"]
+if TYPE_CHECKING:
+    from cuspaudit.robot.formats.choice import Candidate
+
+__all__ = ["TABLES", "chains_in", "read_robot"]
 
 TABLES = (".yaml", ".yml", ".json", *LINE_ENDINGS)
+
+_TREES = (".urdf", ".xml", ".xacro")
+
+
+def chains_in(path: Path | str, base: str | None = None) -> list[Candidate]:
+    """The serial chains of a file, likely ones first; a table has none to choose from.
+
+    Raises:
+        InvalidRobotError: the file cannot be read, or several links may be its base.
+    """
+    path = Path(path)
+    if path.suffix.lower() not in _TREES:
+        return []
+    from cuspaudit.robot.formats.urdf.read import urdf_candidates
+
+    return urdf_candidates(path, base)
 
 
 def read_robot(
@@ -53,7 +73,7 @@ def read_robot(
             angle_unit=angle_unit,
             length_unit=length_unit,
         )
-    if path.suffix.lower() in (".urdf", ".xml", ".xacro"):
+    if path.suffix.lower() in _TREES:
         from cuspaudit.robot.formats.urdf.read import read_urdf
 
         return read_urdf(path, base=base, tip=tip, task=task)

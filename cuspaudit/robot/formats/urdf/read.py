@@ -7,31 +7,28 @@ joints are folded into the transforms between the moving ones.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from fractions import Fraction
 from pathlib import Path
 
-import numpy as np
-
-from cuspaudit.errors import InvalidRobotError, UnsupportedJointError
+from cuspaudit.errors import UnsupportedJointError
 from cuspaudit.robot.chain import Chain, Joint, JointKind, Motion, Translation
+from cuspaudit.robot.formats.choice import Build, Candidate, candidates, choose_chain
 from cuspaudit.robot.formats.dh.rows import MOST_JOINTS
+from cuspaudit.robot.formats.tree import Tree
 from cuspaudit.robot.formats.urdf.numbers import axis, limits, origin
-from cuspaudit.robot.formats.urdf.tree import Tree, tree_from_robot
+from cuspaudit.robot.formats.urdf.tree import tree_from_robot
 from cuspaudit.robot.formats.urdf.xml import JointElement, read_xml
-from cuspaudit.robot.frames import transform
-from cuspaudit.robot.place import Place, listing, quoted
+from cuspaudit.robot.place import Place, quoted
 from cuspaudit.robot.robot import Robot
 from cuspaudit.robot.task import check_limits, default_task, parse_task
 
-__all__ = ["read_urdf"]
+__all__ = ["read_urdf", "urdf_candidates"]
 
 _KINDS: dict[str, JointKind] = {
     "revolute": "revolute",
     "continuous": "revolute",
     "prismatic": "prismatic",
 }
-_MOST_TIPS = 50
 _ABSURD = Fraction(10**6)
 
 
@@ -56,66 +53,47 @@ def read_urdf(
         UnsupportedJointError: a joint on the chain has no exact model here.
     """
     path = Path(path)
+    tree, name = _opened(path)
+    notes: list[str] = []
+    if base is None:
+        base = tree.choose_base(tip, notes)
+    tree.check_link(base)
+    build = _builder(tree, name, task)
+    chain, remarks = choose_chain(tree, build, base, tip)
+    notes += [*remarks, *check_limits(chain, tree.place), *_scale_notes(chain)]
+    return Robot(chain.name, str(path), chain, urdf=path, notes=tuple(notes))
+
+
+def urdf_candidates(
+    path: Path | str, base: str | None = None, most: int = 100
+) -> list[Candidate]:
+    """The serial chains of a URDF, likely ones first; see `choice.candidates`.
+
+    Raises:
+        InvalidRobotError: the file is not a URDF, or several links may be its base.
+    """
+    tree, name = _opened(Path(path))
+    base = base or tree.choose_base(None, [])
+    tree.check_link(base)
+    return candidates(tree, _builder(tree, name, None), base, most)
+
+
+def _opened(path: Path) -> tuple[Tree[JointElement], str]:
+    """The tree of a URDF, and the robot's name."""
     place = Place(str(path))
     if path.suffix == ".xacro":
         expected = "expand it first (pip install xacro): xacro FILE > robot.urdf"
         raise place.error("a xacro file", expected)
     robot = read_xml(path, place)
-    tree = tree_from_robot(robot, place)
-    notes: list[str] = []
-    if base is None:
-        base = tree.choose_base(tip, notes)
-    tree.check_link(base)
-    name = robot.name or path.stem
-    chains = _chains(tree, name, base, tip, task, notes)
-    chain, notes = _one_of(chains, tree, notes)
-    notes += check_limits(chain, place) + _scale_notes(chain)
-    return Robot(name, str(path), chain, urdf=path, notes=tuple(notes))
+    return tree_from_robot(robot, place), robot.name or path.stem
 
 
-def _chains(
-    tree: Tree,
-    name: str,
-    base: str,
-    tip: str | None,
-    task: str | None,
-    notes: list[str],
-) -> list[tuple[Chain, list[str]]]:
-    """The chain to ``tip``, or to each end that the same moving joints carry."""
-    if tip is not None:
-        tree.check_link(tip)
-        ends = [[tip]]
-    else:
-        ends = tree.ends(base)
-    tips = [link for group in ends for link in group]
-    if len(ends) > 1 or len(tips) > _MOST_TIPS:
-        raise _several(tree, base, tips)
-    return [_chain(tree, name, base, link, task, notes) for link in tips]
-
-
-def _one_of(
-    chains: Sequence[tuple[Chain, list[str]]], tree: Tree, notes: list[str]
-) -> tuple[Chain, list[str]]:
-    """The only chain, or the one with the most fixed joints after the last moving one.
-
-    Unless the task is a pose, its verdict depends on the point, and may depend on the
-    axes of its frame; then the tips must coincide.
-    """
-    chain, remarks = max(
-        chains, key=lambda pair: len(tree.path(pair[0].base, pair[0].tip) or ())
-    )
-    if len(chains) > 1:
-        tips = [other.tip for other, _ in chains]
-        placed = np.array([transform(other.tool) for other, _ in chains])
-        seen = placed[:, :3, 3] if chain.task == "position" else placed
-        if chain.task != "pose" and float(np.ptp(seen, axis=0).max()) > 1e-12:
-            raise _several(tree, chain.base, tips)
-        remarks.append(f"tip {quoted(chain.tip)} taken among {listing(tips)}")
-    return chain, remarks
+def _builder(tree: Tree[JointElement], name: str, task: str | None) -> Build:
+    return lambda base, tip: _chain(tree, name, base, tip, task)
 
 
 def _chain(
-    tree: Tree, name: str, base: str, tip: str, task: str | None, before: list[str]
+    tree: Tree[JointElement], name: str, base: str, tip: str, task: str | None
 ) -> tuple[Chain, list[str]]:
     """The chain from ``base`` to ``tip``, and remarks on what was read."""
     path = tree.path(base, tip)
@@ -129,7 +107,7 @@ def _chain(
     if len(moving) > MOST_JOINTS:
         found = f"{len(moving)} joints between {quoted(base)} and {quoted(tip)}"
         raise tree.place.error(found, f"choose a chain of at most {MOST_JOINTS}")
-    notes = list(before)
+    notes: list[str] = []
     joints: list[Joint] = []
     pending: tuple[Motion, ...] = ()
     for element in path:
@@ -177,16 +155,6 @@ def _kind(element: JointElement, place: Place) -> JointKind:
         found=f"the joint type {quoted(element.kind)}",
         expected=expected,
     )
-
-
-def _several(tree: Tree, base: str, tips: Sequence[str]) -> InvalidRobotError:
-    """The error that lists the tips to choose from."""
-    found = f"{len(tips)} possible tips: {listing(list(tips))}"
-    fork = tree.fork(base, tips)
-    expected = "choose one by --tip LINK"
-    if fork != base:
-        expected += f" ({quoted(fork)} is the link that carries them all)"
-    return tree.place.error(found, expected)
 
 
 def _scale_notes(chain: Chain) -> list[str]:

@@ -16,8 +16,9 @@ from numpy.typing import NDArray
 
 from cuspaudit.errors import InvalidRobotError
 from cuspaudit.robot.chain import Chain, Motion
+from cuspaudit.robot.formats.tree import Tree
 from cuspaudit.robot.formats.urdf.numbers import origin
-from cuspaudit.robot.formats.urdf.tree import Tree, tree_from_robot
+from cuspaudit.robot.formats.urdf.tree import tree_from_robot
 from cuspaudit.robot.formats.urdf.xml import JointElement, read_xml
 from cuspaudit.robot.frames import transform
 from cuspaudit.robot.place import Place
@@ -133,7 +134,9 @@ def _model(path: Path) -> Any:
     return loaded.robot
 
 
-def _placed_links(tree: Tree, chain: Chain) -> Iterator[tuple[str, int, Matrix]]:
+def _placed_links(
+    tree: Tree[JointElement], chain: Chain
+) -> Iterator[tuple[str, int, Matrix]]:
     """Each link, the joint that carries it, and its frame in that joint's."""
     index = {joint.name: k for k, joint in enumerate(chain.joints)}
     locked = _locked(chain)

@@ -46,6 +46,16 @@ class JointElement:
     line: int
     parts: dict[str, Mapping[str, str]] = field(default_factory=dict)
 
+    @property
+    def parent(self) -> str:
+        """The link it stands on, "" when it names none."""
+        return self.text("parent", "link") or ""
+
+    @property
+    def child(self) -> str:
+        """The link it carries, "" when it names none."""
+        return self.text("child", "link") or ""
+
     def text(self, part: str, attribute: str) -> str | None:
         """The attribute of a part, None when either is absent."""
         return self.parts.get(part, {}).get(attribute)
