@@ -20,6 +20,7 @@ from cuspaudit.viz.plot.style import (
     mark_at,
     pair,
     silent,
+    swatch,
 )
 
 __all__ = ["plot_joint_plane"]
@@ -62,7 +63,7 @@ def plot_joint_plane(axes: Any, data: JointPlane, note: Note | None = None) -> N
             path_effects=halo(3),
         )
         note(number, "aspects", name)
-        shown.append(patch(axes, tint, name))
+        shown.append(swatch(axes, tint, name))
     for line in data.curve:
         (mark,) = axes.plot(*line.T, color=RED, lw=1.5, zorder=3)
         note(mark, "curve", "")

@@ -17,8 +17,8 @@ __all__ = [
     "legend",
     "mark_at",
     "pair",
-    "patch",
     "silent",
+    "swatch",
 ]
 
 RED, BLACK, BLUE = "#c4161c", "#111111", "#1f4fd8"
@@ -82,7 +82,7 @@ def legend(axes: Any, shown: list[Any]) -> None:
     box.set_in_layout(False)
 
 
-def patch(axes: Any, colour: str, name: str) -> Any:
+def swatch(axes: Any, colour: str, name: str) -> Any:
     """A coloured square for the legend."""
     from matplotlib.patches import Patch
 

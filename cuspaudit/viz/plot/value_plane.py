@@ -19,8 +19,8 @@ from cuspaudit.viz.plot.style import (
     legend,
     mark_at,
     pair,
-    patch,
     silent,
+    swatch,
 )
 
 __all__ = ["plot_value_plane"]
@@ -79,7 +79,7 @@ def plot_value_plane(axes: Any, data: ValuePlane, note: Note | None = None) -> N
     shown.append(mark)
     for count, colour in zip(counts, colours, strict=True):
         name = "out of reach" if count == 0 else f"{count} postures"
-        shown.append(patch(axes, colour, name))
+        shown.append(swatch(axes, colour, name))
     frame(axes, data.window, data.labels, (False, False))
     axes.set_title("Values: the curve of critical values")
     legend(axes, shown)
