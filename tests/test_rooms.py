@@ -28,18 +28,19 @@ ALLOWED = {
     "robot": BASE | {"algebra"},
     "kinematics": MODEL,
     "auditing": AUDIT,
+    "toolpath": DECISION | MODEL | {"toolpath"},
     "family": AUDIT,
     "viz": {"errors", "certificate", "robot"},
     "pictures": AUDIT | {"viz"},
-    "api": AUDIT | {"family", "viz", "pictures"},
-    "cli": AUDIT | {"family", "viz", "pictures", "api"},
+    "api": AUDIT | {"toolpath", "family", "viz", "pictures"},
+    "cli": AUDIT | {"toolpath", "family", "viz", "pictures", "api"},
     "pytest_plugin": {"auditing", "robot"},
 }
 OWNERS = {
     "sympy": {"algebra"},
     "flint": {
         *("algebra", "geometry", "surface", "cuspidality"),
-        *("certificate", "robot", "kinematics", "family"),
+        *("certificate", "robot", "kinematics", "family", "toolpath"),
     },
     "networkx": {"geometry"},
     "yourdfpy": {"robot"},

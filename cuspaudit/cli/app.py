@@ -26,6 +26,7 @@ _COMMANDS = (
     ("plot", "plot", "plot", "chablat-2022-3r -o figure.png"),
     ("import", "import_", "import_", "ur5_robot --to msolve > ik.ms"),
     ("check", "check", "check", "robots/ -j 2 --junit report.xml"),
+    ("trace", "trace", "trace", "crx.urdf --tip tool0 weld.csv --json trace.json"),
     ("sweep", "families", "sweep", "family.yaml -o table -j 2"),
 )
 

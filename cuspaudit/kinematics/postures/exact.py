@@ -31,6 +31,7 @@ __all__ = [
     "GROUND",
     "arm_and_pose",
     "exact_postures",
+    "exact_postures_of",
     "posture_sign",
     "real_postures",
 ]
@@ -67,7 +68,28 @@ def exact_postures(
         NotZeroDimensionalError: infinitely many postures have this pose.
         PrecisionError: the numbers are longer than was tried.
     """
-    field, arm, pose = arm_and_pose(model, tangents)
+    _, _, pose = arm_and_pose(model, tangents)
+    return exact_postures_of(model, pose, seed)
+
+
+def exact_postures_of(
+    model: ExactModel, pose: Array, seed: int = 0
+) -> ZeroDimensionalParametrization:
+    """All complex postures of a pose, as `exact_postures` returns them.
+
+    Args:
+        model: six revolute joints; where it is an approximation, so are they.
+        pose: (4, 4), entries in the field K of the model.
+        seed: of the charts.
+
+    Raises:
+        UnableError: not six revolute joints, or out of reach, as where a posture is
+            singular.
+        NotZeroDimensionalError: infinitely many postures have this pose.
+        PrecisionError: the numbers are longer than was tried.
+    """
+    field = QuadraticField(model.ring.radicand)
+    arm, pose = _exact_arm(field, model), field.reduced(pose)
     found = _by_charts(field, arm, pose, seed)
     if found is None:
         found = postures_by_equations(field, arm, pose, seed)

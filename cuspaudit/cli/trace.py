@@ -1,0 +1,185 @@
+"""`cuspaudit trace`: what becomes of every posture along a tool path."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+from rich.console import Console
+from rich.table import Table
+from rich.text import Text
+
+from cuspaudit.cli.opening import open_named
+from cuspaudit.cli.options import (
+    AngleUnit,
+    Base,
+    Convention,
+    LengthUnit,
+    Lock,
+    RobotName,
+    Seed,
+    Snap,
+    TaskName,
+    Tip,
+)
+from cuspaudit.cli.running import progress_bar
+
+__all__ = ["trace"]
+
+STEPS = ("postures", "runs", "births", "limits")
+_COLOUR = {
+    "reached": "green",
+    "singular": "red",
+    "limit": "yellow",
+    "undecided": "cyan",
+}
+_SHOWN = 64
+
+
+def trace(
+    robot: RobotName,
+    path: Annotated[
+        Path,
+        typer.Argument(
+            metavar="PATH",
+            help="A CSV with the header x,y,z,qw,qx,qy,qz (or x,y,z, or the joints' "
+            "names), or JSON: one waypoint a row.",
+        ),
+    ],
+    base: Base = None,
+    tip: Tip = None,
+    task: TaskName = None,
+    lock: Lock = None,
+    convention: Convention = None,
+    angle_unit: AngleUnit = None,
+    length_unit: LengthUnit = None,
+    closed: Annotated[
+        bool, typer.Option("--closed", help="The path returns to its first waypoint.")
+    ] = False,
+    laps: Annotated[
+        int, typer.Option(min=1, max=1000, help="Laps of a closed path to follow.")
+    ] = 1,
+    no_limits: Annotated[
+        bool, typer.Option("--no-limits", help="Leave the joint limits out.")
+    ] = False,
+    json_file: Annotated[
+        str | None,
+        typer.Option("--json", metavar="FILE", help="Write the trace; - is stdout."),
+    ] = None,
+    certificate: Annotated[
+        Path | None,
+        typer.Option(
+            help="Write the certificate of a run of a closed path that changes posture."
+        ),
+    ] = None,
+    snap: Snap = "default",
+    seed: Seed = 0,
+) -> None:
+    """Follow a tool path from every posture: which reach its end, where others die.
+
+    Exit codes: 0 every start posture reaches the end, and a closed path repeats; 1 some
+    do not, or the first pose has no posture; 3 undecided.
+    """
+    from cuspaudit.api.run_certificate import run_certificate
+    from cuspaudit.robot.snap_policy import policy_from_name
+    from cuspaudit.robot.snapping import snap as snapped
+    from cuspaudit.runtime.writing import check_writable, write_text
+    from cuspaudit.toolpath.reading import angle_unit_named, closed_path, read_path
+    from cuspaudit.toolpath.record import exit_code, trace_record
+    from cuspaudit.toolpath.trace import trace_path
+    from cuspaudit.toolpath.traced_arm import traced_arm
+
+    files = [f for f in (certificate,) if f is not None]
+    if json_file not in (None, "-"):
+        files.append(Path(json_file or ""))
+    for file in files:
+        check_writable(file)
+    opened = open_named(
+        robot, base, tip, task, lock, convention, angle_unit, length_unit
+    )
+    arm = traced_arm(snapped(opened.chain, policy_from_name(snap))[0])
+    tool_path = read_path(path, arm, angle_unit_named(angle_unit))
+    if closed:
+        tool_path = closed_path(tool_path, arm)
+    with progress_bar(STEPS) as step:
+        found = trace_path(arm, tool_path, not no_limits, seed, step)
+    record = trace_record(found, opened.name, opened.file, laps)
+    if certificate:
+        write_text(certificate, run_certificate(found))
+    text = json.dumps(record, indent=1, allow_nan=False)
+    if json_file == "-":
+        typer.echo(text)
+    else:
+        if json_file:
+            write_text(Path(json_file), text)
+        _print(record)
+    raise typer.Exit(exit_code(found))
+
+
+def _print(record: dict[str, Any]) -> None:
+    console = Console(highlight=False, soft_wrap=True)
+    robot, path = record["robot"], record["path"]
+    console.print(
+        f"{robot['name']}: {path['waypoints']} waypoints, {len(record['runs'])} starts"
+    )
+    table = Table.grid(padding=(0, 2))
+    for number, run in enumerate(record["runs"][:_SHOWN]):
+        table.add_row(*_row(record, number, run))
+    console.print(table)
+    if len(record["runs"]) > _SHOWN:
+        console.print(f"... and {len(record['runs']) - _SHOWN} more, with --json")
+    for line in _sentences(record):
+        console.print(line)
+
+
+def _row(record: dict[str, Any], number: int, run: dict[str, Any]) -> list[Text]:
+    sign = {1: "+", -1: "-", 0: "0", None: "?"}[run["sign"]]
+    words = {
+        "reached": "reaches the end",
+        "singular": f"singular at {run['at']:.6f}",
+        "limit": f"limit of {run['joint']} at {run['at']:.6f}",
+        "undecided": f"undecided near s = {run['at']:.6f}",
+    }[run["end"]]
+    if record["permutation"] is not None and record["permutation"][number] is not None:
+        words += f" in run {record['permutation'][number]}"
+        turns = record["turns"][number]
+        if any(turns):
+            words += " and turns " + ", ".join(f"{turn:+d}" for turn in turns)
+    if not run["inside"]:
+        words = f"outside the limits ({words} without them)"
+    margin = run["margin"]["singular"]
+    room = (
+        f"{margin * 57.29578:.1f} deg from singular" if run["end"] == "reached" else ""
+    )
+    shown = ", ".join(f"{value:.4f}" for value in run["start"])
+    return [
+        Text(f"{number}", style="dim"),
+        Text(sign),
+        Text(f"[{shown}]"),
+        Text(words, style=_COLOUR[run["end"]]),
+        Text(room, style="dim"),
+    ]
+
+
+def _sentences(record: dict[str, Any]) -> list[str]:
+    lines = []
+    if record["born"]:
+        at = ", ".join(f"{birth['at']:.6f}" for birth in record["born"][:8])
+        lines.append(f"born on the way: {len(record['born'])}, at {at}")
+    missed = record["unreachable"]
+    if missed is not None:
+        unit = record["robot"]["unit"]
+        far = (
+            f"{missed['distance']:.4g} {unit} out of reach"
+            if missed["turn"] is None
+            else f"its orientation is missed by {missed['turn'] * 57.29578:.3g} deg"
+        )
+        lines.append(f"waypoint {missed['waypoint'] + 1} has no posture: {far}")
+    kinds = [one["kind"] for one in record["laps"]]
+    if "changes posture" in kinds or "repeatable after laps" in kinds:
+        lines.append("a run ends in another posture: the arm is cuspidal")
+    if record["recommended"] is not None:
+        lines.append(f"start in run {record['recommended']}: it has the most room")
+    return lines + [f"note: {remark}" for remark in record["remarks"]]

@@ -1,0 +1,126 @@
+"""How near a posture is to a singular one, or to a limit: searched, not proved."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cuspaudit.toolpath.limits import joint_ranges
+from cuspaudit.toolpath.trace import Run, Trace
+from cuspaudit.toolpath.traced_arm import TracedArm
+
+__all__ = ["limit_margin", "recommended", "singular_distance", "singular_margin"]
+
+Array = NDArray[np.float64]
+
+_POINTS = 24
+_STEPS = 12
+_NUDGE = 1e-6
+_LONGEST = 0.5
+
+
+def determinant(arm: TracedArm, values: Array) -> float:
+    """Det J at coordinates of the balls, in doubles."""
+    _, turns, speeds = arm.balls.plain(values)
+    rows = speeds.T
+    if arm.signs is not None:
+        rows = np.vstack([rows, arm.signs])
+    elif arm.task == "pose":
+        rows = np.vstack([rows, turns.T])
+    return float(np.linalg.det(rows))
+
+
+def singular_distance(arm: TracedArm, values: Array) -> float:
+    """The distance to a singular posture near by, Euclidean over the joints.
+
+    Newton steps along the gradient of det J lead to one; there may be a nearer one.
+
+    Args:
+        arm: the arm.
+        values: coordinates of the balls: rad, slides in the arm's unit.
+    """
+    here = np.array(values, dtype=float)
+    for _ in range(_STEPS):
+        value, slope = _with_gradient(arm, here)
+        square = float(slope @ slope)
+        if square == 0.0:
+            break
+        step = -value / square * slope
+        size = float(np.sqrt(step @ step))
+        here = here + step * min(1.0, _LONGEST / size if size else 1.0)
+        if size < 1e-9:
+            break
+    return float(np.linalg.norm(here - values))
+
+
+def singular_margin(arm: TracedArm, run: Run) -> float:
+    """The smallest `singular_distance` along a run; 0 where it dies of one."""
+    if run.free is None or run.end == "singular":
+        return 0.0
+    points = _coordinates(arm, run)
+    chosen = points[np.unique(np.linspace(0, len(points) - 1, _POINTS).astype(int))]
+    first = [_first_order(arm, row) for row in chosen]
+    nearest = np.argsort(first)[:3]
+    return min(singular_distance(arm, chosen[k]) for k in nearest)
+
+
+def limit_margin(arm: TracedArm, run: Run) -> float | None:
+    """How near the run comes to a limit; None without any, 0 where it dies of one."""
+    if run.end == "limit":
+        return 0.0
+    smallest: float | None = None
+    points = _coordinates(arm, run) + 2 * np.pi * np.where(
+        arm.turning, np.array([*run.turns, *[0] * (len(arm.turning) - arm.joints)]), 0
+    )
+    for k, interval in enumerate(joint_ranges(arm.chain.joints, arm.scales)):
+        if interval is not None:
+            room = min(
+                float(points[:, k].min()) - float(interval.low),
+                float(interval.high) - float(points[:, k].max()),
+            )
+            smallest = room if smallest is None else min(smallest, room)
+    return None if smallest is None else max(0.0, smallest)
+
+
+def recommended(trace: Trace) -> int | None:
+    """The run to start in: of those that reach the end, the one with the most room.
+
+    Room is the smaller of the distance to a singular posture and to a limit.
+    """
+    best: tuple[float, int] | None = None
+    for k, run in enumerate(trace.runs):
+        if run.end != "reached" or not run.inside:
+            continue
+        room = singular_margin(trace.arm, run)
+        if trace.limited:
+            own = limit_margin(trace.arm, run)
+            room = room if own is None else min(room, own)
+        if best is None or room > best[0]:
+            best = room, k
+    return None if best is None else best[1]
+
+
+def _coordinates(arm: TracedArm, run: Run) -> Array:
+    """Coordinates of the balls along the run, as far as it goes."""
+    if run.free is None:
+        extra = len(arm.turning) - arm.joints
+        return np.array([[*run.start, *[0.0] * extra]]) / arm.scales
+    rows = run.free.points
+    kept = rows[rows[:, -1] <= run.at]
+    return np.asarray((kept if len(kept) else rows[:1])[:, :-1])
+
+
+def _first_order(arm: TracedArm, values: Array) -> float:
+    value, slope = _with_gradient(arm, values)
+    size = float(np.linalg.norm(slope))
+    return abs(value) / size if size else np.inf
+
+
+def _with_gradient(arm: TracedArm, values: Array) -> tuple[float, Array]:
+    steps = np.eye(len(values)) * _NUDGE
+    slope = [
+        (determinant(arm, values + step) - determinant(arm, values - step))
+        / (2 * _NUDGE)
+        for step in steps
+    ]
+    return determinant(arm, values), np.array(slope)

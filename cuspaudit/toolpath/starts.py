@@ -1,0 +1,161 @@
+"""All postures of a pose, with what is proved about the list.
+
+Six revolute joints: `kinematics.postures.exact`. Three and four joints: the equations
+R(q) = value on the circles of the joints, solved completely. Joint values are balls,
+angles in (-pi, pi].
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
+
+from flint import arb, ctx
+
+from cuspaudit.algebra.parametrization import ZeroDimensionalParametrization
+from cuspaudit.algebra.ring import Polynomial, Ring, rational
+from cuspaudit.algebra.system import PolynomialSystem
+from cuspaudit.algebra.zero_dimensional import solve_zero_dimensional
+from cuspaudit.errors import NotZeroDimensionalError, RetryableError, UnableError
+from cuspaudit.kinematics.determinant import jacobian_determinant
+from cuspaudit.kinematics.exact_model import ExactModel
+from cuspaudit.kinematics.polynomial_map import circles, place
+from cuspaudit.kinematics.postures.exact import (
+    exact_postures_of,
+    posture_sign,
+    real_postures,
+)
+from cuspaudit.kinematics.postures.numeric import PostureSolver
+from cuspaudit.toolpath.traced_arm import TracedArm
+from cuspaudit.toolpath.waypoints import Pose
+
+__all__ = ["Solved", "SolvedPosture", "solve_pose"]
+
+_BITS = 96
+_SURD = "surd"
+
+
+@dataclass(frozen=True, eq=False)
+class SolvedPosture:
+    """A posture of the exact model.
+
+    Attributes:
+        values: joint values, rad in (-pi, pi] or the chain's unit.
+        sign: of det J, 0 proved where it vanishes; None where it is not known.
+    """
+
+    values: tuple[arb, ...]
+    sign: int | None
+
+
+@dataclass(frozen=True, eq=False)
+class Solved:
+    """The postures of a pose.
+
+    Attributes:
+        postures: those found.
+        complete: whether no other posture of the model exists, proved.
+        whole_curves: whether infinitely many complex postures have this pose.
+        grounds: what ``complete`` rests on.
+        why: why the list is not complete, or "".
+    """
+
+    postures: tuple[SolvedPosture, ...]
+    complete: bool
+    whole_curves: bool = False
+    grounds: tuple[str, ...] = ()
+    why: str = ""
+
+
+def solve_pose(arm: TracedArm, pose: Pose, seed: int = 0) -> Solved:
+    """All postures of ``pose``.
+
+    Where the exact solvers are unable, those that floating point finds, for a six-joint
+    arm, and none for another; then the list is not complete.
+    """
+    try:
+        found = _exact(arm, pose, seed)
+    except NotZeroDimensionalError:
+        why = "infinitely many complex postures have this pose"
+        return Solved(tuple(_numeric(arm, pose)), False, True, (), why)
+    except (UnableError, RetryableError) as limit:
+        return Solved(tuple(_numeric(arm, pose)), False, False, (), str(limit))
+    determinant = jacobian_determinant(arm.model)
+    postures = [
+        SolvedPosture(_values(arm, point), posture_sign(point, arm.model, determinant))
+        for point in (
+            real_postures(found) if arm.model.ring.radicand else found.real_points()
+        )
+    ]
+    why = "" if arm.model.is_exact else "the model is within 1e-12 of the numbers"
+    return Solved(tuple(postures), arm.model.is_exact, False, found.grounds, why)
+
+
+def _exact(arm: TracedArm, pose: Pose, seed: int) -> ZeroDimensionalParametrization:
+    model = arm.model
+    if len(model.joints) == 6:
+        return exact_postures_of(model, arm.exact_pose(pose), seed)
+    values = [rational(x) for x in pose.position]
+    if arm.signs is not None:
+        values += arm.cos_sin_of_angle(pose)
+    equations = [
+        *circles(model.ring, model.joints),
+        *(p - v for p, v in zip(place(model), values, strict=True)),
+    ]
+    return _solved(model, equations, seed)
+
+
+def _solved(
+    model: ExactModel, equations: list[Polynomial], seed: int
+) -> ZeroDimensionalParametrization:
+    """The solutions, sqrt m one more variable unless K = Q."""
+    ring = model.ring
+    if ring.radicand is None:
+        return solve_zero_dimensional(
+            PolynomialSystem(ring, tuple(equations)), seed=seed
+        )
+    name = f"sqrt{ring.radicand}"
+    plain = Ring([*ring.variables, name])
+    moved = [plain.from_other(p, ring) for p in equations]
+    moved.append(plain.gen(name) ** 2 - ring.radicand)
+    return solve_zero_dimensional(PolynomialSystem(plain, tuple(moved)), seed=seed)
+
+
+def _values(arm: TracedArm, point: Any) -> tuple[arb, ...]:
+    with ctx.workprec(2 * _BITS):
+        balls, result = point.ball(_BITS), []
+        for joint, zero in zip(arm.model.joints, arm.zeros, strict=True):
+            if joint.kind == "prismatic":
+                result.append(balls[joint.variables[0]])
+                continue
+            c, s = (balls[name] for name in joint.variables)
+            result.append(_wrapped(_direction(c, s) - zero))
+        return tuple(result)
+
+
+def _direction(c: arb, s: arb) -> arb:
+    """The angle of a point of the circle; near (-1, 0) that of its opposite, and pi."""
+    if c > 0 or not s.contains(0):
+        return arb.atan2(s, c)
+    return arb.atan2(-s, -c) + arb.pi()
+
+
+def _wrapped(angle: arb) -> arb:
+    """The angle less whole turns, in (-pi, pi] up to its radius."""
+    turn = 2 * arb.pi()
+    whole = ((angle - arb.pi()) / turn - arb(2) ** -_BITS * 2**16).mid().ceil()
+    return angle - whole * turn
+
+
+def _numeric(arm: TracedArm, pose: Pose) -> Iterator[SolvedPosture]:
+    """What floating point finds."""
+    try:
+        solver = PostureSolver.of(arm.chain)
+        target = arm.exact_pose(pose).astype(float)
+        target[:3, 3] /= solver.scale
+        [found] = solver.solve(target[None])
+    except UnableError:
+        return
+    for posture in found:
+        yield SolvedPosture(tuple(arb(float(x)) for x in posture), None)

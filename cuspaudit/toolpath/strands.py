@@ -1,0 +1,169 @@
+"""All strands of a tool path: from its start, from its end, and those found between.
+
+A strand from the start may come back to the start: then two runs die together, and the
+second posture needs no strand of its own. The postures of the last pose that no strand
+has reached are followed back: runs that are born on the way.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cuspaudit.toolpath.leg_system import LegSystem
+from cuspaudit.toolpath.runs import FreeRun, runs_of
+from cuspaudit.toolpath.starts import Solved
+from cuspaudit.toolpath.strand import followed, settled, unwound
+from cuspaudit.toolpath.traced_arm import TracedArm
+from cuspaudit.toolpath.tube import Knot, knot_at
+
+__all__ = ["Followed", "Known", "follow_path", "known_postures"]
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Known:
+    """A posture of the first or last pose.
+
+    Attributes:
+        knot: round it; None where it is singular, or too near to tell.
+        values: coordinates, nearly; angles in (-pi, pi].
+        sign: of det J, proved; 0 where it is singular, None where neither is proved.
+    """
+
+    knot: Knot | None
+    values: Array
+    sign: int | None
+
+
+@dataclass(eq=False)
+class Followed:
+    """What following the strands gave.
+
+    Attributes:
+        runs: all runs found.
+        starts: for each posture of the first pose, the number of its run or None.
+        ends: for each posture of the last pose likewise.
+    """
+
+    runs: list[FreeRun] = field(default_factory=list)
+    starts: list[int | None] = field(default_factory=list)
+    ends: list[int | None] = field(default_factory=list)
+
+
+def known_postures(
+    arm: TracedArm, system: LegSystem, solved: Solved, s: float
+) -> list[Known]:
+    """The postures of a pose, each with a knot where it is regular.
+
+    Args:
+        arm: the arm.
+        system: of a leg with this pose at one end.
+        solved: the postures of the pose.
+        s: 0.0 or 1.0, the end of the leg.
+    """
+    return [
+        known_posture(
+            arm, system, [float(v.mid()) for v in posture.values], s, posture.sign
+        )
+        for posture in solved.postures
+    ]
+
+
+def known_posture(
+    arm: TracedArm,
+    system: LegSystem,
+    values: Sequence[float],
+    s: float,
+    sign: int | None = None,
+) -> Known:
+    """The posture near joint ``values``, settled and proved where it is regular."""
+    near = np.array(values, dtype=np.float64) / arm.scales
+    if sign == 0:
+        return Known(None, near, 0)
+    row = np.zeros(len(near) + 1)
+    row[-1] = 1.0
+    y = settled(system, np.append(near, s), row)
+    if y is None or np.abs(y[:-1] - near).max() > 1e-3:
+        return Known(None, near, sign)
+    y[-1] = s
+    knot = knot_at(system, y, np.eye(len(y))[:, :-1])
+    if knot is None or not system.is_genuine(knot.balls()):
+        return Known(None, y[:-1], sign)
+    determinant = system.determinant(knot.balls())
+    sign = int(determinant > 0) - int(determinant < 0) or sign
+    return Known(knot, y[:-1], sign)
+
+
+def follow_path(
+    arm: TracedArm,
+    legs: Sequence[LegSystem],
+    first: Sequence[Known],
+    last: Sequence[Known],
+) -> Followed:
+    """The strands from every posture of the first pose, then those of the last."""
+    result = Followed([], [None] * len(first), [None] * len(last))
+    for index, posture in enumerate(first):
+        if result.starts[index] is None and posture.knot is not None:
+            _follow(arm, legs, posture.knot, True, first, last, result)
+    for index, posture in enumerate(last):
+        if result.ends[index] is None and posture.knot is not None:
+            _follow(arm, legs, posture.knot, False, first, last, result)
+    return result
+
+
+def _follow(
+    arm: TracedArm,
+    legs: Sequence[LegSystem],
+    knot: Knot,
+    forward: bool,
+    first: Sequence[Known],
+    last: Sequence[Known],
+    result: Followed,
+) -> None:
+    strand = followed(legs, 0 if forward else len(legs) - 1, knot, forward)
+    for run in runs_of(legs, strand, forward):
+        number = len(result.runs)
+        result.runs.append(run)
+        if run.begin.kind == "path":
+            index = identified(arm, run, first, at_end=False)
+            if index is not None:
+                result.starts[index] = number
+        if run.end.kind == "path":
+            index = identified(arm, run, last, at_end=True)
+            if index is not None:
+                result.ends[index] = number
+
+
+def identified(
+    arm: TracedArm, run: FreeRun, postures: Sequence[Known], at_end: bool
+) -> int | None:
+    """Which of the postures, up to whole turns, a run begins or ends in; proved.
+
+    On the outer tube of the run s is monotone, so that its curve has one zero at that
+    parameter. If the tube holds a knot of the posture, turned by whole turns, the two
+    are one.
+    """
+    link = run.links[-1 if at_end else 0]
+    own = run.last if at_end else run.first
+    for index, posture in enumerate(postures):
+        if posture.knot is None:
+            continue
+        if turns_between(arm, own.at[:-1], posture.knot.at[:-1]) is None:
+            continue
+        same = unwound(arm.balls, posture.knot, link.tube)
+        at = same.at.copy()
+        at[-1] = own.at[-1]
+        if link.tube.holds(Knot(at, same.reach)):
+            return index
+    return None
+
+
+def turns_between(arm: TracedArm, a: Array, b: Array) -> Array | None:
+    """The whole turns from b to a, if they are nearly that; 0 for slides."""
+    turns = np.where(arm.turning, np.round((a - b) / (2 * np.pi)), 0.0)
+    return turns if np.abs(a - b - 2 * np.pi * turns).max() < 1e-6 else None

@@ -1,0 +1,355 @@
+"""Tubes: boxes round a curved axis that hold a piece of a curve of zeros, nothing else.
+
+Let F map n + 1 unknowns y to n values, F' = M K. A tube has a center c, a unit vector
+a, n directions N that make an orthonormal basis with it, and a vector e = N f; its
+points are
+
+    y = c + t a + t^2 e + N z,    t0 <= t <= t1,  |z_k| <= w_k.
+
+**Theorem.** Let Y be any matrix, and suppose that for all t and z of the tube
+
+    |Y F(c + t a + t^2 e)|  +  |1 - Y F'(y) N| w  <  w.
+
+Then for every t there is exactly one z in the tube with F(y) = 0, and it depends
+smoothly on t. *Proof.* Krawczyk's test at every t [Krawczyk 1969; Neumaier 1990,
+Theorem 5.1.8] gives existence and uniqueness, and F' N is regular on the tube, as
+|1 - Y F' N| w < w, so that the implicit function theorem gives smoothness. QED.
+
+**The bounds.** With a in the kernel of K(c) and 2 K e + K'[a] a = 0, to rounding,
+
+    K(y) y' = t^2 (K'[e] a + 2 K'[a] e + K''[a, a] a / 2) + rest,
+    K(y) N = (K + t K'[a] + t^2 (K'[e] + K''[a, a] / 2) + K'[N z]) N + rest,
+
+y' = a + 2 t e, and the rests are bounded by the sizes of the derivatives (`expansion`).
+M differs from the identity by at most the angle between hand and goal, which is at most
+the integral of the angular rows of K y' from c.
+
+**Slopes.** Along the curve dy/dt = a + 2 t e + N z' with F' N z' = -F' y', so z' is
+bounded by |Y F' y'| and the same contraction. Where a component keeps away from 0 the
+curve is monotone in it.
+
+A knot is a box round a point with a zero in it. If it lies in two tubes, its zero
+belongs to the curves of both, and they are pieces of one curve.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from flint import arb
+from numpy.typing import NDArray
+
+from cuspaudit.toolpath.expansion import ROUNDING, Expansion, expansion_at
+from cuspaudit.toolpath.leg_system import LegSystem
+
+__all__ = ["Axis", "Knot", "Tube", "axis_at", "beside", "knot_at", "tube_round"]
+
+Array = NDArray[np.float64]
+
+_BEYOND = 1.0 / 64
+_THINNEST = 2e-11
+_KNOT = 1e-12
+_CONTRACTS = 0.9
+_TRIES = 4
+_UP = 1 + 1e-12
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Knot:
+    """A box with a zero of F in it, and no other zero at its parameter of a plane.
+
+    Attributes:
+        at: its center, (n + 1,).
+        reach: its half sides.
+    """
+
+    at: Array
+    reach: Array
+
+    def balls(self) -> list[arb]:
+        """The box."""
+        return [arb(x, r) for x, r in zip(self.at, self.reach, strict=True)]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Tube:
+    """A proved tube.
+
+    Attributes:
+        center: c.
+        along: a.
+        across: N, (n + 1, n).
+        bow: e.
+        span: (t0, t1).
+        widths: w.
+        low: a lower bound of every coordinate on the tube.
+        high: an upper bound.
+        rise_low: a lower bound of dy/dt.
+        rise_high: an upper bound.
+        strain: the bound of |1 - Y F' N|: how near the tube was to failing.
+    """
+
+    center: Array
+    along: Array
+    across: Array
+    bow: Array
+    span: tuple[float, float]
+    widths: Array
+    low: Array
+    high: Array
+    rise_low: Array
+    rise_high: Array
+    strain: float
+
+    @property
+    def length(self) -> float:
+        """Of its axis, nearly."""
+        return self.span[1] - self.span[0]
+
+    def trend(self, k: int) -> int:
+        """The sign of dy_k/dt on the whole tube; 0 where it is not proved."""
+        return int(self.rise_low[k] > 0) - int(self.rise_high[k] < 0)
+
+    def holds(self, knot: Knot) -> bool:
+        """Whether the box of ``knot`` is inside, proved."""
+        offset = knot.at - self.center
+        t = float(self.along @ offset)
+        slack = ROUNDING * (1.0 + float(np.abs(offset).sum()))
+        reach = float(np.abs(self.along) @ knot.reach) + slack
+        if not self.span[0] < t - reach <= t + reach < self.span[1]:
+            return False
+        z = self.across.T @ (offset - t * t * self.bow)
+        moved = 2 * abs(t) * reach * np.abs(self.across.T @ self.bow)
+        sides = np.abs(self.across.T) @ knot.reach + moved + slack
+        return bool((np.abs(z) + sides < self.widths).all())
+
+    def heads_with(self, other: Tube) -> bool:
+        """Whether the tangents of ``other`` go the way this tube goes, proved."""
+        middle = (other.rise_low + other.rise_high) / 2
+        spread = (other.rise_high - other.rise_low) / 2 * _UP
+        return float(self.along @ middle - np.abs(self.along) @ spread) > ROUNDING
+
+
+def knot_at(system: LegSystem, at: Array, across: Array) -> Knot | None:
+    """A tiny box round ``at``, in the directions ``across``, with exactly one zero.
+
+    Args:
+        system: the leg.
+        at: a zero, nearly.
+        across: N, (n + 1, n), orthonormal columns.
+    """
+    here = expansion_at(system, at)
+    Y = inverse(here.slope @ across)
+    if Y is None:
+        return None
+    reach = np.abs(across).sum(axis=1) * _KNOT
+    rest = here.length(reach) * (here.sizes + float(system.has_pose)) * 2
+    columns = np.abs(across).sum(axis=0)
+    size = float(np.abs(Y).sum(axis=1).max())
+    left = size * float((rest[:, None] * columns).max()) * system.size
+    left += ROUNDING * size * (1 + float(np.abs(here.slope).max())) * system.size
+    own = np.abs(Y) @ (np.abs(here.value) + here.value_error)
+    if not (own + left * _KNOT < _KNOT).all():
+        return None
+    return Knot(at, reach * _UP)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Axis:
+    """The axis of a tube, without its ends.
+
+    Attributes:
+        here: the expansion at c.
+        along: a.
+        across: N.
+        bow: e.
+        Y: the inverse of K(c) N, nearly.
+    """
+
+    here: Expansion
+    along: Array
+    across: Array
+    bow: Array
+    Y: Array
+
+    def point(self, t: float) -> Array:
+        """C + t a + t^2 e."""
+        return self.here.at + t * self.along + t * t * self.bow
+
+
+def axis_at(system: LegSystem, at: Array, heading: Array) -> Axis | None:
+    """The axis through ``at``, a zero nearly, on the side of ``heading``."""
+    here = expansion_at(system, at)
+    square = np.vstack([here.slope, heading])
+    right = np.zeros(len(at))
+    right[-1] = 1.0
+    try:
+        along = np.linalg.solve(square, right)
+    except np.linalg.LinAlgError:
+        return None
+    along = along / np.sqrt(along @ along)
+    across = beside(along)
+    Y = inverse(here.slope @ across)
+    if Y is None or not np.isfinite(along).all():
+        return None
+    bow = across @ (Y @ (here.bend @ along @ along)) / -2
+    return Axis(here, along, across, bow, Y)
+
+
+def tube_round(axis: Axis, ends: tuple[Array, Array]) -> Tube | None:
+    """The tube along ``axis`` that reaches a little beyond two points, if proved.
+
+    Args:
+        axis: its axis.
+        ends: points of the curve, the first behind the other.
+    """
+    c, along = axis.here.at, axis.along
+    first, last = (float(along @ (end - c)) for end in ends)
+    if not first < last:
+        return None
+    margin = _BEYOND * (last - first)
+    span = first - margin, last + margin
+    bounds = TubeBounds(axis, max(abs(span[0]), abs(span[1])))
+    widths = bounds.widths()
+    if widths is None:
+        return None
+    T, bow = bounds.T, np.abs(axis.bow)
+    slack = ROUNDING * (1 + np.abs(c))
+    aside = np.abs(axis.across) @ widths * _UP + T * T * bow + slack
+    one, other = along * span[0], along * span[1]
+    rise = 2 * T * bow + np.abs(axis.across) @ bounds.drift(widths) * _UP + ROUNDING
+    return Tube(
+        center=c,
+        along=along,
+        across=axis.across,
+        bow=axis.bow,
+        span=span,
+        widths=widths,
+        low=c + np.minimum(one, other) - aside,
+        high=c + np.maximum(one, other) + aside,
+        rise_low=along - rise,
+        rise_high=along + rise,
+        strain=bounds.strain(widths),
+    )
+
+
+class TubeBounds:
+    """The bounds of the module's theorem for one axis and |t| <= T."""
+
+    def __init__(self, axis: Axis, T: float) -> None:
+        here, Y, N = axis.here, axis.Y, axis.across
+        system, a, e = here.system, axis.along, axis.bow
+        self.T, self._axis = T, axis
+        along, twice = here.bend @ a, here.twice(a)
+        second = here.bend @ e + twice / 2
+        a1, a2 = here.length(a), here.length(e)
+        self.path, self.speed = T * a1 + T**2 * a2, a1 + 2 * T * a2
+        third_order = self.path**3 / 6
+        self.rest = T**3 * a1 * a2 + T**4 * a2**2 / 2 + third_order
+        self.rest_speed = third_order * self.speed + T**3 * a2 * (
+            2 * a2 + 2 * a1**2 + 2.5 * T * a1 * a2 + T**2 * a2**2
+        )
+        size = np.abs(Y)
+        self.rows = np.sqrt((Y[:, :3] ** 2).sum(axis=1)) * here.sizes[0]
+        if len(Y) > 3:
+            self.rows += np.sqrt((Y[:, 3:] ** 2).sum(axis=1)) * here.sizes[-1]
+        noise = ROUNDING * (1 + self.rows + size @ np.abs(here.slope).sum(axis=1))
+        # K y' = r0 + t r1 + t^2 g + rest
+        r0, r1 = here.slope @ a, 2 * (here.slope @ e) + along @ a
+        g = second @ a + 2 * (along @ e)
+        terms = np.abs(Y @ np.stack([r0, r1, g], 1))
+        self.moving = terms @ [1, T, T**2] + self.rows * self.rest_speed + noise
+        # the rest is of order 3 in t at least: its integral has a factor 1/4
+        whole = T * (self.rows * self.rest_speed / 4 + noise)
+        own = terms @ [T, T**2 / 2, T**3 / 3] + whole
+        self.own = own + size @ (np.abs(here.value) + here.value_error)
+        flat = np.eye(len(Y)) - Y @ (here.slope @ N)
+        self.still = np.abs(flat) + noise[:, None]
+        self.still += T * np.abs(Y @ along @ N) + T**2 * np.abs(Y @ second @ N)
+        self.bends = Y @ np.moveaxis(here.bend @ N, 2, 0)  # (j, n, n + 1)
+        self.columns = np.abs(N).sum(axis=0)
+        self.turn = None
+        if system.has_pose or system.signs is not None:
+            self.turn = np.sqrt((Y[:, 3:] ** 2).sum(axis=1))
+            size_g = float(np.sqrt((g[3:] ** 2).sum())) + ROUNDING
+            own_turn = float(np.abs(here.value[3:]).sum() + here.value_error[3:].sum())
+            self.turned = (
+                T**3 / 3 * size_g + T * self.rest_speed / 4 + own_turn + ROUNDING
+            )
+            self.turning = T**2 * size_g + self.rest_speed + ROUNDING
+            joints = np.abs(N[:-1]).sum(axis=0)
+            self.turn_columns = joints + system.rate * np.abs(N[-1])
+            self.own = self.own + self.turn * self.turned**2
+
+    def widths(self) -> Array | None:
+        """Widths with which the test succeeds."""
+        loose = max(1 - float(self.still.sum(axis=1).max()), 0.1)
+        widths = 1.3 * self.own / loose + _THINNEST
+        for _ in range(_TRIES):
+            left = self._left(widths)
+            if not float(left.sum(axis=1).max()) < _CONTRACTS:
+                return None
+            needed = (self.own + left @ widths) * _UP
+            if bool((needed < widths).all()):
+                return np.asarray(widths)
+            widths = np.maximum(1.2 * needed, widths)
+        return None
+
+    def strain(self, widths: Array) -> float:
+        """The bound of |1 - Y F' N|."""
+        return float(self._left(widths).sum(axis=1).max())
+
+    def drift(self, widths: Array) -> Array:
+        """Bounds of |z'|."""
+        axis, side = self._axis, self._side(widths)
+        pushed = np.abs(self.bends @ axis.along) + 2 * self.T * np.abs(
+            self.bends @ axis.bow
+        )
+        slope = (
+            self.moving + widths @ pushed + self.rows * self._mixed(side) * self.speed
+        )
+        if self.turn is not None:
+            turning = self.turning + (side + self._mixed(side)) * self.speed
+            slope = slope + self.turn * (self.turned + side) * turning
+        strain = self.strain(widths)
+        return np.asarray(slope + strain / (1 - strain) * slope.max()) * _UP
+
+    def _left(self, widths: Array) -> Array:
+        """Bounds of the entries of |1 - Y F' N|."""
+        side = self._side(widths)
+        bent = np.abs(self.bends @ self._axis.across)
+        left = self.still + np.tensordot(widths, bent, 1)
+        left += np.outer(self.rows * (self.rest + self._mixed(side)), self.columns)
+        if self.turn is not None:
+            left += np.outer(self.turn * (self.turned + side), self.turn_columns)
+        return np.asarray(left)
+
+    def _side(self, widths: Array) -> float:
+        """How far the sides reach, in the measure of `Expansion`."""
+        return self._axis.here.length(np.abs(self._axis.across) @ widths)
+
+    def _mixed(self, side: float) -> float:
+        """Derivatives of order 2 and more in which the sides have a part."""
+        third = ((self.path + side) ** 3 - self.path**3) / 6
+        return self.path * side + side**2 / 2 + third
+
+
+def beside(direction: Array) -> Array:
+    """N directions that make a basis with ``direction``, orthonormal to rounding."""
+    u = direction / np.sqrt(direction @ direction)
+    k = int(np.argmax(np.abs(u)))
+    w = u.copy()
+    w[k] += math.copysign(1.0, u[k])
+    mirror = np.eye(len(u)) - np.outer(w, w * (2.0 / (w @ w)))
+    return np.asarray(np.delete(mirror, k, axis=1))
+
+
+def inverse(matrix: Array) -> Array | None:
+    """The inverse, nearly; None where there is none."""
+    try:
+        result = np.linalg.inv(matrix)
+    except np.linalg.LinAlgError:
+        return None
+    return np.asarray(result, np.float64) if np.isfinite(result).all() else None
