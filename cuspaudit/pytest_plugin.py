@@ -6,7 +6,6 @@ verdict was reached, or whose file expects nothing, is skipped with the reason.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -14,8 +13,6 @@ from typing import Any
 import pytest
 
 __all__ = ["RobotFile", "RobotTest"]
-
-_ROBOT = re.compile(rb"^joints[ \t]*:", re.MULTILINE)
 
 
 class _MismatchError(Exception):
@@ -35,10 +32,9 @@ def pytest_collect_file(file_path: Path, parent: pytest.Collector) -> RobotFile 
     """Collect ``file_path`` when robots are asked for and it is one."""
     if not parent.config.getoption("--cuspaudit"):
         return None
-    suffix = file_path.suffix.lower()
-    if suffix == ".csv" or (
-        suffix in (".yaml", ".yml") and _ROBOT.search(file_path.read_bytes())
-    ):
+    from cuspaudit.robot.formats.registry import is_recorded
+
+    if is_recorded(file_path):
         return RobotFile.from_parent(parent, path=file_path)
     return None
 

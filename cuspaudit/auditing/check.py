@@ -13,13 +13,13 @@ from xml.etree import ElementTree
 
 from cuspaudit.auditing.audit import audit
 from cuspaudit.errors import CuspauditError, InvalidInputError, unforeseen
+from cuspaudit.robot.formats.registry import recorded_endings
 from cuspaudit.robot.library import open_robot
 from cuspaudit.runtime.interruption import end_processes
 
 __all__ = ["Checked", "check_robot", "check_robots", "junit", "robot_files"]
 
 Status = Literal["ok", "undecided", "mismatch", "error", "fault", "no expectation"]
-_ENDINGS = (".yaml", ".yml", ".csv")
 
 
 @dataclass(frozen=True)
@@ -59,14 +59,15 @@ def robot_files(paths: Iterable[Path]) -> list[Path]:
         InvalidInputError: a path does not exist, or a folder holds no robot file.
     """
     files: list[Path] = []
+    known = recorded_endings()
     for path in paths:
         if path.is_dir():
-            found = sorted(p for p in path.iterdir() if p.suffix in _ENDINGS)
+            found = sorted(p for p in path.iterdir() if p.suffix.lower() in known)
             if not found:
                 raise InvalidInputError(
                     file=str(path),
                     found="no robot file",
-                    expected=f"name files or a folder with {', '.join(_ENDINGS)}",
+                    expected=f"name files or a folder with {', '.join(known)}",
                 )
             files += found
         elif path.is_file():

@@ -53,6 +53,7 @@ def show(
     """Show the witness path in a browser, or the postures of one pose."""
     from cuspaudit.auditing.certificates import certificate_text
     from cuspaudit.pictures.page import page_text
+    from cuspaudit.robot.formats.registry import format_of
     from cuspaudit.runtime.writing import check_writable, write_text
     from cuspaudit.viz import serve
 
@@ -62,7 +63,8 @@ def show(
         source, base, tip = saved["file"], saved["base"], saved["tip"]
         task, seed, snap = saved["task"], saved["seed"], saved["snap"]
         lock = [f"{joint}={value}" for joint, value in saved["locked"].items()]
-        if not source.endswith((".urdf", ".xml")):
+        known = format_of(Path(source))
+        if known is None or known.chains is None:
             base = tip = None
     opened = open_named(
         source, base, tip, task, lock, convention, angle_unit, length_unit

@@ -19,7 +19,8 @@ import cuspaudit
 from cuspaudit.errors import InvalidRobotError
 from cuspaudit.robot.chain import Angle
 from cuspaudit.robot.descriptions import description_file, description_names
-from cuspaudit.robot.formats.read_robot import TABLES, chains_in, read_robot
+from cuspaudit.robot.formats.read_robot import chains_in, read_robot
+from cuspaudit.robot.formats.registry import endings
 from cuspaudit.robot.numbers import format_angle, format_rational
 from cuspaudit.robot.place import listing, quoted
 from cuspaudit.robot.robot import Robot
@@ -30,8 +31,6 @@ if TYPE_CHECKING:
     from cuspaudit.robot.formats.choice import Candidate
 
 __all__ = ["example_robot_data", "library", "open_robot", "serial_chains"]
-
-_ENDINGS = (".urdf", ".xacro", ".xml", *TABLES)
 
 
 def open_robot(
@@ -129,7 +128,7 @@ def _find(name_or_path: str | Path) -> Path:
     """The file that is meant: one there is, or that of a robot's name."""
     path = Path(name_or_path)
     text = str(name_or_path)
-    if path.exists() or path.suffix.lower() in _ENDINGS or path.name != text:
+    if path.exists() or path.suffix.lower() in endings() or path.name != text:
         return path
     known = dict(library())
     if text in known:

@@ -5,19 +5,15 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from cuspaudit.robot.formats.dh.lines import LINE_ENDINGS
-from cuspaudit.robot.formats.dh.read import read_dh
+from cuspaudit.robot.formats.format import Choices
+from cuspaudit.robot.formats.registry import endings, format_of
 from cuspaudit.robot.place import Place, quoted
 from cuspaudit.robot.robot import Robot
 
 if TYPE_CHECKING:
     from cuspaudit.robot.formats.choice import Candidate
 
-__all__ = ["TABLES", "chains_in", "read_robot"]
-
-TABLES = (".yaml", ".yml", ".json", *LINE_ENDINGS)
-
-_TREES = (".urdf", ".xml", ".xacro")
+__all__ = ["chains_in", "read_robot"]
 
 
 def chains_in(path: Path | str, base: str | None = None) -> list[Candidate]:
@@ -27,11 +23,10 @@ def chains_in(path: Path | str, base: str | None = None) -> list[Candidate]:
         InvalidRobotError: the file cannot be read, or several links may be its base.
     """
     path = Path(path)
-    if path.suffix.lower() not in _TREES:
+    known = format_of(path)
+    if known is None or known.chains is None:
         return []
-    from cuspaudit.robot.formats.urdf.read import urdf_candidates
-
-    return urdf_candidates(path, base)
+    return known.chains(path, base)
 
 
 def read_robot(
@@ -44,12 +39,12 @@ def read_robot(
     angle_unit: str | None = None,
     length_unit: str | None = None,
 ) -> Robot:
-    """The robot in a URDF or D-H file, by the ending of its name.
+    """The robot in a file, read in the format that the ending of its name says.
 
     Args:
-        path: a .urdf file, or one whose ending is in `TABLES`.
-        base: a link of the URDF; by default its root.
-        tip: a link of the URDF; by default its only end.
+        path: the file; `formats.registry` lists the formats.
+        base: a link; by default the root.
+        tip: a link; by default the only end there is.
         task: a name in `robot.task.DIMENSIONS`; by default the one for so many
             joints.
         convention: "standard" or "modified", for a table that does not say.
@@ -61,21 +56,9 @@ def read_robot(
             not belong to this kind of file.
     """
     path = Path(path)
-    place = Place(str(path))
-    if path.suffix.lower() in TABLES:
-        if base is not None or tip is not None:
-            expected = "leave out --base and --tip: a table is one chain"
-            raise place.error("a table has no links to choose from", expected)
-        return read_dh(
-            path,
-            task=task,
-            convention=convention,
-            angle_unit=angle_unit,
-            length_unit=length_unit,
-        )
-    if path.suffix.lower() in _TREES:
-        from cuspaudit.robot.formats.urdf.read import read_urdf
-
-        return read_urdf(path, base=base, tip=tip, task=task)
-    found = f"files ending in {quoted(path.suffix)} are unknown"
-    raise place.error(found, f"give a .urdf, {', '.join(TABLES)} file")
+    known = format_of(path)
+    if known is None:
+        found = f"files ending in {quoted(path.suffix)} are unknown"
+        raise Place(str(path)).error(found, f"give a file in {', '.join(endings())}")
+    choices = Choices(base, tip, task, convention, angle_unit, length_unit)
+    return known.read(path, choices)

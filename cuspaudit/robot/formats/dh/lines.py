@@ -13,13 +13,12 @@ import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 
+from cuspaudit.robot.formats.dh.endings import LINE_ENDINGS
 from cuspaudit.robot.formats.dh.headers import COLUMNS, header_from_text
 from cuspaudit.robot.place import Place, quoted
 from cuspaudit.robot.tables import Table, read_mapping, read_text, table_from_mapping
 
-__all__ = ["LINE_ENDINGS", "read_table"]
-
-LINE_ENDINGS = (".csv", ".tsv", ".txt", ".md", ".tex")
+__all__ = ["read_table"]
 
 _MOST_ROWS = 5000
 _SETTING = re.compile(r"\b(convention|angles|lengths|task)\s*=\s*([\w-]+)")

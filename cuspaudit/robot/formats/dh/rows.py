@@ -11,13 +11,13 @@ from cuspaudit.robot.entries import check_known, word
 from cuspaudit.robot.formats.dh.cells import plain_cell
 from cuspaudit.robot.formats.dh.headers import COLUMNS, Header, header_from_text
 from cuspaudit.robot.formats.dh.moving import Moving, check_indices, moving_entry
+from cuspaudit.robot.formats.format import MOST_JOINTS
 from cuspaudit.robot.formats.motion_text import parse_direction, parse_motions
 from cuspaudit.robot.numbers import AngleUnit, parse_angle, parse_length
 from cuspaudit.robot.place import Place, quoted
 
-__all__ = ["MOST_JOINTS", "Limits", "Row", "named_rows", "parse_rows"]
+__all__ = ["Limits", "Row", "named_rows", "parse_rows"]
 
-MOST_JOINTS = 50
 
 Limits = tuple[Angle, Angle] | tuple[Fraction, Fraction] | None
 

@@ -13,7 +13,7 @@ from pathlib import Path
 from cuspaudit.errors import UnsupportedJointError
 from cuspaudit.robot.chain import Chain, Joint, JointKind, Motion, Translation
 from cuspaudit.robot.formats.choice import Build, Candidate, candidates, choose_chain
-from cuspaudit.robot.formats.dh.rows import MOST_JOINTS
+from cuspaudit.robot.formats.format import MOST_JOINTS
 from cuspaudit.robot.formats.tree import Tree
 from cuspaudit.robot.formats.urdf.numbers import axis, limits, origin
 from cuspaudit.robot.formats.urdf.tree import tree_from_robot

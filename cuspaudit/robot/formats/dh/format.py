@@ -1,0 +1,45 @@
+"""D-H tables as a format."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+from cuspaudit.robot.formats.dh.endings import LINE_ENDINGS
+from cuspaudit.robot.formats.format import Choices, Format
+from cuspaudit.robot.place import Place
+from cuspaudit.robot.robot import Robot
+
+__all__ = ["DH"]
+
+_YAML = (".yaml", ".yml")
+_ROBOT = re.compile(rb"^joints[ \t]*:", re.MULTILINE)
+
+
+def _read(path: Path, choices: Choices) -> Robot:
+    from cuspaudit.robot.formats.dh.read import read_dh
+
+    if choices.base is not None or choices.tip is not None:
+        expected = "leave out --base and --tip: a table is one chain"
+        raise Place(str(path)).error("a table has no links to choose from", expected)
+    return read_dh(
+        path,
+        task=choices.task,
+        convention=choices.convention,
+        angle_unit=choices.angle_unit,
+        length_unit=choices.length_unit,
+    )
+
+
+def _is_robot(path: Path) -> bool:
+    """Not so a YAML file without joints: a family, say."""
+    return path.suffix.lower() not in _YAML or bool(_ROBOT.search(path.read_bytes()))
+
+
+DH = Format(
+    name="D-H table",
+    endings=(*_YAML, ".json", *LINE_ENDINGS),
+    read=_read,
+    recorded=(*_YAML, ".csv"),
+    is_robot=_is_robot,
+)

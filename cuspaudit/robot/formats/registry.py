@@ -1,0 +1,40 @@
+"""The formats a robot is read from.
+
+To add one: a package beside this file with a `Format` of its own, and a line here.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from cuspaudit.robot.formats.dh.format import DH
+from cuspaudit.robot.formats.format import Format
+from cuspaudit.robot.formats.urdf.format import URDF
+
+__all__ = ["FORMATS", "endings", "format_of", "is_recorded", "recorded_endings"]
+
+FORMATS: tuple[Format, ...] = (DH, URDF)
+
+
+def format_of(path: Path) -> Format | None:
+    """The format of a file, by the ending of its name; None for an unknown one."""
+    ending = path.suffix.lower()
+    return next((known for known in FORMATS if ending in known.endings), None)
+
+
+def endings() -> tuple[str, ...]:
+    """The endings of all robot files."""
+    return tuple(ending for known in FORMATS for ending in known.endings)
+
+
+def recorded_endings() -> tuple[str, ...]:
+    """The endings of the files that may say what is expected of their robot."""
+    return tuple(ending for known in FORMATS for ending in known.recorded)
+
+
+def is_recorded(path: Path) -> bool:
+    """Whether a file holds a robot and may say what is expected of it."""
+    known = format_of(path)
+    if known is None or path.suffix.lower() not in known.recorded:
+        return False
+    return known.is_robot(path)
