@@ -10,6 +10,7 @@ from cuspaudit.certificate.file import (
 from cuspaudit.certificate.model import (
     Certificate,
     CertifiedJoint,
+    CuspCertificate,
     Limits,
     Motion,
     Numbers,
@@ -28,6 +29,7 @@ from cuspaudit.certificate.model import (
 __all__ = [
     "Certificate",
     "CertifiedJoint",
+    "CuspCertificate",
     "Limits",
     "Motion",
     "Numbers",

@@ -2,8 +2,8 @@
 
 `verify` proves in ball arithmetic of python-flint, and with nothing of the code that
 searched, what a certificate claims of its robot; each kind has a module that proves it
-(`path_proof`, `structure_proof`). A certificate that is not accepted proves nothing
-about the robot.
+(`path_proof`, `cusp_proof`, `structure_proof`). A certificate that is not accepted
+proves nothing about the robot.
 """
 
 from __future__ import annotations
@@ -13,8 +13,10 @@ from dataclasses import asdict, dataclass
 from typing import Any, Literal
 
 from cuspaudit.certificate.cover import Cover, Refusal
+from cuspaudit.certificate.cusp_proof import CuspProof
 from cuspaudit.certificate.model import (
     Certificate,
+    CuspCertificate,
     PathCertificate,
     StructureCertificate,
     check_certificate,
@@ -37,9 +39,10 @@ class Verification:
             a path.
         smallest: proved lower bound of sign det J on the path and on the end box, at
             least a quarter of the true minimum on the path; of a structure, of |det J|
-            at the regular posture; None if not accepted.
-        radius: half side of the box that holds the true second posture; None if that
-            step failed.
+            at the regular posture; of a cusp, of |k . grad(k . grad det J)|; None if
+            not accepted.
+        radius: half side of the box that holds the true second posture, or the cusp;
+            None if that step failed.
         bits: the highest working precision used.
         seconds: wall clock time.
     """
@@ -85,22 +88,25 @@ def verify(certificate: Certificate) -> Verification:
     except Refusal as refusal:
         smallest, reason = None, str(refusal)
     path = proof if isinstance(proof, PathProof) else None
+    radius = None if isinstance(proof, StructureProof) else proof.radius
     return Verification(
         accepted=smallest is not None,
-        claim="noncuspidal" if path is None else "cuspidal",
+        claim="noncuspidal" if isinstance(proof, StructureProof) else "cuspidal",
         reason=reason,
         boxes=0 if path is None else path.cover.boxes,
         smallest=smallest,
-        radius=None if path is None else path.radius,
+        radius=radius,
         bits=proof.bits if path is None else max(path.bits, path.cover.bits),
         seconds=time.perf_counter() - start,
     )
 
 
-def _proof(certificate: Certificate) -> PathProof | StructureProof:
+def _proof(certificate: Certificate) -> PathProof | CuspProof | StructureProof:
     match certificate:
         case PathCertificate():
             return PathProof(certificate, Cover(certificate))
+        case CuspCertificate():
+            return CuspProof(certificate)
         case StructureCertificate():
             return StructureProof(certificate)
     raise TypeError(f"no kind of certificate: {type(certificate).__name__}")
@@ -108,7 +114,5 @@ def _proof(certificate: Certificate) -> PathProof | StructureProof:
 
 def _check_claim(certificate: Certificate) -> None:
     """Refuse a claim that goes beyond what is proved here."""
-    if certificate.limits is not None:
-        raise Refusal("a claim within limits, which this version does not check")
     if certificate.tolerance is not None:
         raise Refusal("a claim over a tolerance, which this version does not check")

@@ -23,11 +23,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from itertools import combinations
+from typing import TypeVar
 
 from cuspaudit.certificate.arm import Arm, Screw
-from cuspaudit.certificate.balls import S, cross, dot, minus, plus, times
+from cuspaudit.certificate.balls import Row, S, cross, dot, minus, plus, times
 
-__all__ = ["jacobian_determinant"]
+__all__ = ["determinant_with_column", "jacobian_determinant"]
+
+T = TypeVar("T")
 
 _PAIRS = tuple(combinations(range(6), 2))
 _TRIPLES = tuple(combinations(range(6), 3))
@@ -51,11 +54,50 @@ def jacobian_determinant(arm: Arm[S], q: Sequence[S]) -> S | None:
     return _pose(arm, q)
 
 
+def determinant_with_column(
+    arm: Arm[S], q: Sequence[S], joint: int, row: int
+) -> S | None:
+    """Return det J with the column of a joint replaced by a unit vector.
+
+    J is written in the coordinates of link 1 (position) or link 3 (pose), as above. For
+    a fixed row these are the entries of adj(J) e_row, J adj(J) e_row = det J e_row.
+
+    Args:
+        arm: three joints (position task) or six (pose).
+        q: one value a joint.
+        joint: which column, from 0.
+        row: which unit vector; of a pose 0 to 2 for m, 3 to 5 for w.
+    """
+    one = arm.still.R[0][0]
+    if len(arm.joints) == 3:
+        return _triple(_replaced(_velocities(arm, q), joint, _unit(one, row)))
+    none: Row[S] = (None, None, None)
+    unit = Screw(none, _unit(one, row)) if row < 3 else Screw(_unit(one, row - 3), none)
+    return _laplace(_replaced(_screws(arm, q), joint, unit))
+
+
+def _unit(one: S | None, k: int) -> Row[S]:
+    x, y, z = (one if i == k else None for i in range(3))
+    return x, y, z
+
+
+def _replaced(columns: list[T], k: int, column: T) -> list[T]:
+    return [*columns[:k], column, *columns[k + 1 :]]
+
+
 def _position(arm: Arm[S], q: Sequence[S]) -> S | None:
-    [first] = arm.inward(1, q)
-    [second, third], tip = arm.outward(1, q)
-    others = cross(second.velocity(tip.p), third.velocity(tip.p))
-    return dot(first.velocity(tip.p), others)
+    return _triple(_velocities(arm, q))
+
+
+def _velocities(arm: Arm[S], q: Sequence[S]) -> list[Row[S]]:
+    """The velocities of the tip, in link 1."""
+    outer, tip = arm.outward(1, q)
+    return [screw.velocity(tip.p) for screw in arm.inward(1, q) + outer]
+
+
+def _triple(columns: list[Row[S]]) -> S | None:
+    first, second, third = columns
+    return dot(first, cross(second, third))
 
 
 def _position_and_angle(arm: Arm[S], q: Sequence[S]) -> S | None:
@@ -74,8 +116,17 @@ def _position_and_angle(arm: Arm[S], q: Sequence[S]) -> S | None:
 
 
 def _pose(arm: Arm[S], q: Sequence[S]) -> S | None:
-    one, two, three = arm.inward(3, q)
-    [four, five, six], _ = arm.outward(3, q)
+    return _laplace(_screws(arm, q))
+
+
+def _screws(arm: Arm[S], q: Sequence[S]) -> list[Screw[S]]:
+    """The six screws, in link 3."""
+    outer, _ = arm.outward(3, q)
+    return arm.inward(3, q) + outer
+
+
+def _laplace(screws: list[Screw[S]]) -> S | None:
+    one, two, three, four, five, six = screws
     inner = _minors(one, two, three)
     # screws 3 and 4 are constant in link 3; (5, 6, 4) is an even permutation
     outer = _minors(five, six, four)

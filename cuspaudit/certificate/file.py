@@ -3,7 +3,7 @@
 ::
 
     {"schema": "cuspaudit/certificate/2",
-     "kind": "path" | "structure",
+     "kind": "path" | "cusp" | "structure",
      "robot": {"name": "...", "unit": "m",
        "task": "position" | "position-and-angle" | "position-and-axis" | "pose",
        "joints": [{"name": "...", "type": "revolute" | "prismatic",
@@ -18,6 +18,7 @@
     path: "sign": 1 | -1,
           "postures": [["0.1", ...], ["...", ...]],
           "path": [["0.1", ...], ...]
+    cusp: "posture": ["0.1", ...]
     structure: "theorem": "spherical wrist",
           "relations": [{"axes": [2, 3], "are": "parallel"}, ...],
           "regular": ["0.1", ...]
@@ -46,6 +47,7 @@ from typing import Any, NoReturn
 from cuspaudit.certificate.exact import text_from_fraction
 from cuspaudit.certificate.model import (
     Certificate,
+    CuspCertificate,
     Motion,
     PathCertificate,
     StructureCertificate,
@@ -201,6 +203,9 @@ def _json_from_certificate(certificate: Certificate) -> dict[str, Any]:
         found["sign"] = certificate.sign
         found["postures"] = [texts(row) for row in certificate.postures]
         found["path"] = [texts(row) for row in certificate.path]
+    if isinstance(certificate, CuspCertificate):
+        found["kind"] = "cusp"
+        found["posture"] = texts(certificate.posture)
     if isinstance(certificate, StructureCertificate):
         found["kind"] = "structure"
         found["theorem"] = certificate.theorem

@@ -7,6 +7,9 @@ the file is needed to prove it. The second posture is an approximation, because 
 are algebraic numbers in general; the checker proves that one true posture lies next to
 it.
 
+kind "cusp" claims the same by one posture: next to it the map has a cusp, and postures
+of one pose lie in one aspect as near to a cusp as one likes.
+
 kind "structure" claims that the robot is noncuspidal: some of its axes meet, are
 parallel or are square, and there is a theorem about such arms.
 
@@ -27,6 +30,7 @@ __all__ = [
     "JOINTS_OF_TASK",
     "Certificate",
     "CertifiedJoint",
+    "CuspCertificate",
     "JointKind",
     "Limits",
     "Motion",
@@ -164,6 +168,17 @@ class PathCertificate(Certificate):
     path: tuple[Posture, ...]
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CuspCertificate(Certificate):
+    """The claim that a robot is cuspidal, by a cusp of the map of its task.
+
+    Attributes:
+        posture: close to the cusp; rad, or the unit of length.
+    """
+
+    posture: Posture
+
+
 @dataclass(frozen=True, slots=True)
 class Relation:
     """How some axes stand to each other, in every posture.
@@ -247,6 +262,8 @@ def _misfits(certificate: Certificate) -> _Misfits:
     yield from _limit_misfits(certificate)
     if isinstance(certificate, PathCertificate):
         yield from _path_misfits(certificate)
+    if isinstance(certificate, CuspCertificate):
+        yield from _cusp_misfits(certificate)
     if isinstance(certificate, StructureCertificate):
         yield from _structure_misfits(certificate)
 
@@ -281,6 +298,13 @@ def _path_misfits(certificate: PathCertificate) -> _Misfits:
     for key, rows in (("postures", certificate.postures), ("path", certificate.path)):
         for index, row in enumerate(rows):
             yield from _row_misfits(row, needed, f"{key}[{index}]")
+
+
+def _cusp_misfits(certificate: CuspCertificate) -> _Misfits:
+    if certificate.task == "position-and-angle":
+        yield "robot.task", repr(certificate.task), "a cusp is of another task"
+    needed = JOINTS_OF_TASK[certificate.task]
+    yield from _row_misfits(certificate.posture, needed, "posture")
 
 
 def _structure_misfits(certificate: StructureCertificate) -> _Misfits:

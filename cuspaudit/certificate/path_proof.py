@@ -7,7 +7,8 @@
    posture contains no multiple of 2 pi (of 0, for a sliding joint);
 4. det J has the claimed sign on every segment of the path (`cover`);
 5. it has this sign on the whole box of q*, and with it on the segment from the end of
-   the path to q*.
+   the path to q*;
+6. with limits, every way point and the whole box of q* are inside (`limits_proof`).
 
 From 4 and 5 a path leads from the first posture to q* with det J != 0 all along, from 2
 and 3 both are distinct postures of one pose: this is what cuspidal means.
@@ -29,6 +30,11 @@ from cuspaudit.certificate.krawczyk import (
     LARGEST_RADIUS_EXPONENT,
     PostureBox,
     true_posture,
+)
+from cuspaudit.certificate.limits_proof import (
+    check_box_inside,
+    check_way_points,
+    within,
 )
 from cuspaudit.certificate.model import PathCertificate, printable
 
@@ -54,6 +60,7 @@ class PathProof:
     def run(self) -> float:
         """Prove all; return a lower bound of sign det J, rounded down."""
         self._check_ends()
+        check_way_points(self.certificate, self.certificate.path)
         at_end = self._end()
         smallest = min(at_end, self.cover.cover())
         return max(0.0, math.nextafter(float(smallest), -math.inf))
@@ -65,6 +72,7 @@ class PathProof:
         return (
             f"cuspidal: two distinct postures of {self._place()}, joined by a path "
             f"with det J {sign} 0 ({count} segment{'s' if count > 1 else ''})"
+            f"{within(self.certificate)}"
         )
 
     def _place(self) -> str:
@@ -111,6 +119,7 @@ class PathProof:
         self.radius = box.radius
         if not _differs(arm, first, box):
             raise Refusal("the two postures are the same (modulo 2 pi)")
+        check_box_inside(self.certificate, box.values, "the second posture")
         value = jacobian_determinant(arm, box.values)
         signed = arb(0) if value is None else value * self.certificate.sign
         if not signed > 0:

@@ -17,6 +17,7 @@ from cuspaudit.certificate.exact import fraction_from_text
 from cuspaudit.certificate.model import (
     Certificate,
     CertifiedJoint,
+    CuspCertificate,
     JointKind,
     Limits,
     Motion,
@@ -133,6 +134,11 @@ def _path(top: dict[str, Any], place: Place) -> PathCertificate:
     )
 
 
+def _cusp(top: dict[str, Any], place: Place) -> CuspCertificate:
+    posture = _row(top["posture"], place.key("posture"))
+    return CuspCertificate(**_frame(top, place), posture=posture)
+
+
 def _structure(top: dict[str, Any], place: Place) -> StructureCertificate:
     return StructureCertificate(
         **_frame(top, place),
@@ -156,6 +162,7 @@ def _axis_number(value: Any, place: Place) -> int:
 
 _KINDS: dict[str, tuple[tuple[str, ...], Callable[[Any, Place], Certificate]]] = {
     "path": (("sign", "postures", "path"), _path),
+    "cusp": (("posture",), _cusp),
     "structure": (("theorem", "relations", "regular"), _structure),
 }
 """The keys of each kind beside those that all have, and what reads it."""

@@ -23,7 +23,6 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
-import networkx as nx
 from flint import arb, ctx, fmpq
 
 from cuspaudit.algebra.rationals import rationals_between
@@ -44,6 +43,7 @@ from cuspaudit.surface.fiber_pieces import (
     Interval,
     Stand,
 )
+from cuspaudit.surface.graph_isotop import components
 from cuspaudit.surface.surface import ROTATIONS, Factor, Surface
 
 __all__ = ["Box", "BoxAspects", "Place", "box_aspects", "charted_box", "of_factors"]
@@ -74,7 +74,8 @@ class BoxAspects:
         box: its limits.
         events: increasing in the chart of the base.
         samples: a rational point between each two neighbours, and beyond the ends.
-        graph: vertices (turn of the base, interval between events, piece).
+        neighbors: vertices (turn of the base, interval between events, piece), each
+            with those it has an edge to.
         aspects: for every vertex the number of its component.
     """
 
@@ -82,13 +83,13 @@ class BoxAspects:
     box: Box
     events: tuple[RealRoot, ...]
     samples: tuple[fmpq, ...]
-    graph: nx.Graph[Place]
+    neighbors: dict[Place, list[Place]]
     aspects: dict[Place, int]
 
     @property
     def number_of_aspects(self) -> int:
         """The number of components."""
-        return nx.number_connected_components(self.graph)
+        return len(set(self.aspects.values()))
 
     def places(
         self, at: Stand, angle: Callable[[int], arb], sign: int
@@ -210,24 +211,32 @@ def box_aspects(surface: Surface, delta: Polynomial, box: Box) -> BoxAspects:
     )
     names = [pieces.names(AtRational(x)) for x in samples]
     joints = [list(_joined(pieces, events, k)) for k in range(len(events))]
-    graph: nx.Graph[Place] = nx.Graph()
     strips = list(_strips(surface.base, box.base, events))
-    for k, interval in strips:
-        graph.add_nodes_from((k, interval, name) for name in names[interval])
-    for (k, interval), (m, other) in pairwise(strips):
-        pairs = joints[interval] if k == m else _same(names[interval])
-        graph.add_edges_from(((k, interval, a), (m, other, b)) for a, b in pairs)
-    if surface.base.kind == "circle" and box.base is None:
-        last = len(events)
-        graph.add_edges_from(
-            ((0, last, a), (0, 0, b)) for a, b in _same(names[last]) if last
-        )
-    aspects = {
-        vertex: number
-        for number, component in enumerate(nx.connected_components(graph))
-        for vertex in component
+    neighbors: dict[Place, list[Place]] = {
+        (k, interval, name): [] for k, interval in strips for name in names[interval]
     }
-    return BoxAspects(pieces, box, tuple(events), samples, graph, aspects)
+    for first, second in pairwise(strips):
+        same_turn = first[0] == second[0]
+        pairs = joints[first[1]] if same_turn else _same(names[first[1]])
+        _join(neighbors, first, second, pairs)
+    last = len(events)
+    if surface.base.kind == "circle" and box.base is None and last:
+        _join(neighbors, (0, last), (0, 0), _same(names[last]))
+    return BoxAspects(
+        pieces, box, tuple(events), samples, neighbors, components(neighbors)
+    )
+
+
+def _join(
+    neighbors: dict[Place, list[Place]],
+    first: tuple[int, int],
+    second: tuple[int, int],
+    pairs: list[tuple[int, int]],
+) -> None:
+    """Edges between the pieces of two strips."""
+    for a, b in pairs:
+        neighbors[(*first, a)].append((*second, b))
+        neighbors[(*second, b)].append((*first, a))
 
 
 def _same(names: list[int]) -> list[tuple[int, int]]:

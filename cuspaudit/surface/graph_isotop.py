@@ -10,7 +10,7 @@ from collections import deque
 from collections.abc import Hashable, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import Any
+from typing import Any, TypeVar
 
 from cuspaudit.algebra.ring import Polynomial
 from cuspaudit.algebra.univariate import PRECISIONS
@@ -18,9 +18,10 @@ from cuspaudit.errors import PrecisionError
 from cuspaudit.surface.roadmap import Roadmap
 from cuspaudit.surface.sample_points import Fiber, Posture
 
-__all__ = ["RoadmapGraph", "Vertex", "graph_isotop"]
+__all__ = ["RoadmapGraph", "Vertex", "components", "graph_isotop", "reached"]
 
 Vertex = tuple[int, int]
+Node = TypeVar("Node", bound=Hashable)
 
 
 @dataclass(frozen=True, eq=False)
@@ -59,7 +60,7 @@ class RoadmapGraph:
         Counted with sign: crossings of the point without chart, upwards positive.
         """
         start, end = self.placed[first], self.placed[second]
-        way, before = [end], _reached(self.neighbors, start)
+        way, before = [end], reached(self.neighbors, start)
         while way[-1] != start:
             way.append(before[way[-1]])
         steps = ((a, b) for a, b in pairwise(reversed(way)) if (a, b) in self.around)
@@ -110,23 +111,21 @@ def graph_isotop(
                 around += [(low, high), (high, low)]
     numerator, _ = roadmap.surface.chart(delta)
     placed = {p: (_strip(roadmap, p), p.sign(numerator)) for p in postures}
-    return RoadmapGraph(neighbors, frozenset(around), _components(neighbors), placed)
+    return RoadmapGraph(neighbors, frozenset(around), components(neighbors), placed)
 
 
-def _components(neighbors: Mapping[Vertex, Sequence[Vertex]]) -> dict[Vertex, int]:
+def components(neighbors: Mapping[Node, Sequence[Node]]) -> dict[Node, int]:
     """The number of its connected component, for every vertex."""
-    numbers: dict[Vertex, int] = {}
+    numbers: dict[Node, int] = {}
     count = 0
     for vertex in neighbors:
         if vertex not in numbers:
-            numbers.update(dict.fromkeys(_reached(neighbors, vertex), count))
+            numbers.update(dict.fromkeys(reached(neighbors, vertex), count))
             count += 1
     return numbers
 
 
-def _reached(
-    neighbors: Mapping[Vertex, Sequence[Vertex]], start: Vertex
-) -> dict[Vertex, Vertex]:
+def reached(neighbors: Mapping[Node, Sequence[Node]], start: Node) -> dict[Node, Node]:
     """What a search by breadth from ``start`` meets, each with the vertex before it."""
     before, waiting = {start: start}, deque([start])
     while waiting:

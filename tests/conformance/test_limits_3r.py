@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 from joint_boxes import FACTS, arm_of, within, within_by_values
 
-from cuspaudit.cuspidality import Verdict
+from cuspaudit.cuspidality.verdict import Verdict
 
 ROWS: list[dict[str, Any]] = FACTS["rows"]
 #: a limit of joint 3 at exactly 3 pi/4, where the singular curve touches it

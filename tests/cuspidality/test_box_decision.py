@@ -10,7 +10,8 @@ import pytest
 from joint_boxes import Limits, arm_of, within, within_by_values
 from short_tables import arm
 
-from cuspaudit.cuspidality import Verdict, decide_pairs
+from cuspaudit.cuspidality.pair_decision import decide_pairs
+from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.kinematics.exact_model import exact_model
 from cuspaudit.kinematics.polynomial_map import reduced_map
 

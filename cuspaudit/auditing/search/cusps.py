@@ -1,0 +1,221 @@
+"""Cusps of the map of a task, met by Newton's method in floating point.
+
+At a cusp det J = 0 and k . grad det J = 0, k spanning the kernel of J. With the
+singular value decomposition J = U S V^T, k the last column of V and u of U, let
+
+    f = +-s_n, the sign that of det J,    g = u . (D_k J) k.
+
+Where s_n is simple both are smooth, up to a sign, f vanishes where det J does, and
+there g is a multiple of k . grad det J. Two equations for the joints that move det J:
+from random postures a Newton step is the shortest that solves the linear equations.
+Where the rank drops by two the search may end as well; a proof refuses it.
+
+The derivative of a column of J is a bracket of columns: with w_i the angular velocity
+and v_j the velocity of the tip for unit speed of joint j, d_i v_j = d_j v_i = w_i x v_j
+and d_i w_j = w_i x w_j for i <= j, and d_j w_i = 0 for j > i.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cuspaudit.robot.chain import Chain
+from cuspaudit.robot.frames import transform
+
+__all__ = ["FoundCusp", "Interval", "search_cusps"]
+
+Array = NDArray[np.float64]
+Interval = tuple[float, float] | None
+
+_STARTS = 48
+_STEPS = 24
+_STRIDE = 0.4
+_DIFFERENCE = 1e-5
+_REACHED = 1e-9
+_MARGIN = 1e-3
+_DIGITS = 15
+_DISTINCT = 1e-4
+
+
+@dataclass(frozen=True)
+class FoundCusp:
+    """A posture that looks like a cusp.
+
+    Attributes:
+        posture: joint values.
+        slack: the distance to the nearest limit; inf without limits.
+        clear: how far it is from a cusp that is degenerate, in units of no meaning.
+    """
+
+    posture: tuple[float, ...]
+    slack: float
+    clear: float
+
+
+def search_cusps(
+    chain: Chain,
+    limits: Sequence[Interval],
+    seed: int = 0,
+    starts: int = _STARTS,
+) -> list[FoundCusp]:
+    """Postures inside the limits that look like cusps, the clearest first.
+
+    Args:
+        chain: three joints and task "position", or six and "pose", a virtual joint
+            included.
+        limits: for each joint an interval, or None.
+        seed: of the random starts.
+        starts: how many there are.
+    """
+    map_ = _Map(chain)
+    rng = np.random.default_rng(seed)
+    ends = np.array([_span(chain, k, limits[k]) for k in range(len(chain.joints))])
+    low, high = ends.T
+    q = rng.uniform(low, high, (starts, len(low)))
+    fixed = [k for k in range(len(low)) if k not in map_.moving]
+    q[:, fixed] = (low + high)[fixed] / 2
+    limited = np.array([pair is not None for pair in limits])
+    box = np.where(limited, low, -np.inf), np.where(limited, high, np.inf)
+    with np.errstate(all="ignore"):
+        for _ in range(_STEPS):
+            q = np.clip(q + map_.step(q), *box)
+        q = np.round(q + map_.step(q), _DIGITS)
+        left = np.abs(map_.conditions(q)[0]).max(1)
+        clear = map_.clearness(q)
+    slack = np.where(limited, np.minimum(q - low, high - q), np.inf).min(1)
+    good = (left < _REACHED) & (slack > 0) & (clear > 0)
+    found = [
+        FoundCusp(tuple(map(float, q[k])), float(slack[k]), float(clear[k]))
+        for k in np.flatnonzero(good)
+    ]
+    found.sort(key=lambda cusp: -cusp.clear * min(cusp.slack, 1.0))
+    return _distinct(found)
+
+
+def _distinct(found: list[FoundCusp]) -> list[FoundCusp]:
+    kept: list[FoundCusp] = []
+    for cusp in found:
+        here = np.array(cusp.posture)
+        if all(np.abs(here - other.posture).max() > _DISTINCT for other in kept):
+            kept.append(cusp)
+    return kept
+
+
+def _span(chain: Chain, k: int, pair: Interval) -> tuple[float, float]:
+    """Where the starts of one joint lie."""
+    if pair is not None:
+        width = pair[1] - pair[0]
+        return pair[0] + _MARGIN * width, pair[1] - _MARGIN * width
+    return (-1.0, 1.0) if chain.joints[k].kind == "prismatic" else (-np.pi, np.pi)
+
+
+class _Map:
+    """The map of a task at many postures; lengths in units of the arm's size."""
+
+    def __init__(self, chain: Chain) -> None:
+        self.before = [transform(joint.before) for joint in chain.joints]
+        self.tool = transform(chain.tool)
+        size = sum(np.linalg.norm(m[:3, 3]) for m in (*self.before, self.tool)) or 1.0
+        self.size = float(size)
+        axes = [np.array([float(x) for x in joint.axis]) for joint in chain.joints]
+        self.axes = [axis / np.linalg.norm(axis) for axis in axes]
+        self.turns = np.array([kind == "revolute" for kind in chain.kinds])
+        count = len(chain.joints)
+        self.moving = list(range(1, count if count == 3 else count - 1))
+
+    def columns(self, q: Array) -> tuple[Array, Array]:
+        """Angular velocities and tip velocities of the joints, (m, n, 3) each."""
+        placed = np.broadcast_to(np.eye(4), (len(q), 4, 4))
+        axes, origins = [], []
+        for k, axis in enumerate(self.axes):
+            placed = placed @ self.before[k]
+            axes.append(placed[:, :3, :3] @ axis)
+            origins.append(placed[:, :3, 3])
+            placed = placed @ self._motion(k, q[:, k])
+        tip = (placed @ self.tool)[:, :3, 3]
+        n = np.stack(axes, 1)
+        arm = tip[:, None] - np.stack(origins, 1)
+        turns = self.turns[None, :, None]
+        v = np.where(turns, np.cross(n, arm) / self.size, n)
+        return np.where(turns, n, 0.0), v
+
+    def _motion(self, k: int, value: Array) -> Array:
+        motion = np.zeros((len(value), 4, 4))
+        motion[:, 3, 3] = 1
+        axis = self.axes[k]
+        if not self.turns[k]:
+            motion[:, :3, :3] = np.eye(3)
+            motion[:, :3, 3] = value[:, None] * axis
+            return motion
+        c, s = np.cos(value)[:, None, None], np.sin(value)[:, None, None]
+        beside = np.cross(np.eye(3), axis)
+        motion[:, :3, :3] = c * np.eye(3) + (1 - c) * np.outer(axis, axis) + s * beside
+        return motion
+
+    def decomposed(self, q: Array) -> tuple[Array, Array, Array, Array, Array]:
+        """Per posture f, g, u, k and the second smallest singular value."""
+        w, v = self.columns(q)
+        is_pose = w.shape[1] == 6
+        matrix = np.concatenate([v, w], 2) if is_pose else v
+        matrix = np.swapaxes(matrix, 1, 2)
+        left, values, right = np.linalg.svd(matrix)
+        u, k = left[..., -1], right[:, -1]
+        f = values[:, -1] * np.sign(np.linalg.det(matrix))
+        return f, self._bracket(w, v, u, k, is_pose), u, k, values[:, -2]
+
+    def _bracket(self, w: Array, v: Array, u: Array, k: Array, is_pose: bool) -> Array:
+        """U . (D_k J) k."""
+        total = np.zeros(len(u))
+        count = w.shape[1]
+        for i in range(count):
+            for j in range(i, count):
+                weight = k[:, i] * k[:, j] * (1 if i == j else 2)
+                bent = np.cross(w[:, i], v[:, j])
+                total += weight * np.einsum("mi,mi->m", u[:, :3], bent)
+                if is_pose and i < j:
+                    bent = np.cross(w[:, i], w[:, j])
+                    part = np.einsum("mi,mi->m", u[:, 3:], bent)
+                    total += k[:, i] * k[:, j] * part
+        return total
+
+    def conditions(self, q: Array) -> tuple[Array, Array]:
+        """(f, g) at many postures, (m, 2), with u."""
+        f, g, u, _, _ = self.decomposed(q)
+        return np.stack([f, g], 1), u
+
+    def slopes(self, q: Array) -> tuple[Array, Array]:
+        """(f, g) and their derivatives by the moving joints, (m, 2, p)."""
+        here, u = self.conditions(q)
+        columns = []
+        for joint in self.moving:
+            sides = []
+            for sign in (1, -1):
+                moved = q.copy()
+                moved[:, joint] += sign * _DIFFERENCE
+                value, other_u = self.conditions(moved)
+                # g changes sign with u; k enters twice
+                value[:, 1] *= np.sign(np.einsum("mi,mi->m", u, other_u))
+                sides.append(value)
+            columns.append((sides[0] - sides[1]) / (2 * _DIFFERENCE))
+        return here, np.stack(columns, 2)
+
+    def step(self, q: Array) -> Array:
+        """A Newton step, the shortest, no longer than a stride."""
+        here, slope = self.slopes(q)
+        bad = ~np.isfinite(slope).all((1, 2))
+        slope[bad] = 0.0
+        full = np.zeros_like(q)
+        full[:, self.moving] = -(np.linalg.pinv(slope) @ here[..., None])[..., 0]
+        length = np.abs(full).max(1)[:, None]
+        return np.asarray(full * np.minimum(1.0, _STRIDE / (length + 1e-300)))
+
+    def clearness(self, q: Array) -> Array:
+        """|k . grad g| times the second smallest singular value and |grad f|."""
+        _, slope = self.slopes(q)
+        *_, k, second = self.decomposed(q)
+        along = np.einsum("mp,mp->m", slope[:, 1], k[:, self.moving])
+        return np.asarray(np.abs(along) * second * np.linalg.norm(slope[:, 0], axis=1))
