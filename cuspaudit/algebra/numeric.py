@@ -43,8 +43,13 @@ class NumericPolynomial:
     def __call__(self, points: ArrayLike) -> Array:
         """The values at ``points``, (m, n) in the ring's order: (m,)."""
         x = np.asarray(points, dtype=np.float64)
-        powers = x[:, None, :] ** self.exponents[None, :, :]
-        return np.asarray(powers.prod(axis=2) @ self.coefficients)
+        terms = np.ones((len(self.coefficients), len(x)))
+        for column, exponents in zip(x.T, self.exponents.T, strict=True):
+            power = np.ones(len(x))
+            for exponent in range(1, exponents.max(initial=0) + 1):
+                power = power * column
+                terms[exponents == exponent] *= power
+        return np.asarray(self.coefficients @ terms)
 
 
 def numeric_values(

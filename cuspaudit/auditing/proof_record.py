@@ -10,15 +10,17 @@ and all its postures, of which two share one.
 from __future__ import annotations
 
 import json
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import cuspaudit
 from cuspaudit.auditing.answer import Answer
 from cuspaudit.auditing.evidence import Crowd
-from cuspaudit.cuspidality.pair_decision import PairDecision
-from cuspaudit.cuspidality.surface_decision import SurfaceDecision
 from cuspaudit.robot.virtual_joint import without_virtual_joint
 from cuspaudit.surface.sample_points import Fiber
+
+if TYPE_CHECKING:
+    from cuspaudit.cuspidality.pair_decision import PairDecision
+    from cuspaudit.cuspidality.surface_decision import SurfaceDecision
 
 __all__ = ["SCHEMA", "proof_record"]
 

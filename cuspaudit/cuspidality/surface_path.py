@@ -13,21 +13,24 @@ import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from itertools import pairwise
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from cuspaudit.algebra.numeric import NumericPolynomial, numeric_values
-from cuspaudit.cuspidality.pair_decision import PairCouple, PairDecision, PairEnd
-from cuspaudit.cuspidality.surface_decision import SurfaceCouple, SurfaceDecision
 from cuspaudit.surface.sample_points import Posture
 from cuspaudit.surface.surface import Factor, Surface
 
 __all__ = ["SurfacePath", "posture_angles", "propose_path", "propose_paths"]
 
 Array = NDArray[np.float64]
-Decided = SurfaceDecision | PairDecision
-Couple = SurfaceCouple | PairCouple
+if TYPE_CHECKING:
+    from cuspaudit.cuspidality.pair_decision import PairCouple, PairDecision, PairEnd
+    from cuspaudit.cuspidality.surface_decision import SurfaceCouple, SurfaceDecision
+
+    Decided = SurfaceDecision | PairDecision
+    Couple = SurfaceCouple | PairCouple
 _BITS = 128
 _STEPS = 120
 _KEPT = 0.7

@@ -6,11 +6,11 @@ Both are exact and complete where they come to an end.
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
 from cuspaudit.auditing.answer import Answer, Reason, stopped
 from cuspaudit.auditing.case import Case
 from cuspaudit.count import Count
-from cuspaudit.cuspidality.pair_decision import PairDecision, decide_pairs
 from cuspaudit.cuspidality.surface_decision import SurfaceDecision, decide_surface
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import CrossCheckError, RetryableError, UnableError
@@ -19,6 +19,9 @@ from cuspaudit.kinematics.polynomial_map import reduced_map
 from cuspaudit.runtime.clock import Clock
 from cuspaudit.surface.cusps import cusps
 from cuspaudit.surface.nodes import nodes
+
+if TYPE_CHECKING:
+    from cuspaudit.cuspidality.pair_decision import PairDecision
 
 __all__ = ["by_all_pairs", "by_sample_values"]
 
@@ -116,6 +119,8 @@ def by_all_pairs(case: Case, clock: Clock) -> Answer | None:
     asked = case.engine == "pairs" and case.so_far is None
     if not asked and (case.so_far is None or not case.so_far.is_open_for(*left_open)):
         return None
+    from cuspaudit.cuspidality.pair_decision import decide_pairs
+
     try:
         return _paired(case.model, decide_pairs(*reduced_map(case.model), clock.step))
     except (UnableError, RetryableError) as error:
