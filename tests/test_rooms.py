@@ -42,7 +42,7 @@ OWNERS = {
         *("algebra", "geometry", "surface", "cuspidality"),
         *("certificate", "robot", "kinematics", "family", "toolpath"),
     },
-    "networkx": {"geometry"},
+    "networkx": {"geometry", "surface"},
     "yourdfpy": {"robot"},
     "meshcat": {"viz"},
     "matplotlib": {"viz"},
