@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import time
 from dataclasses import asdict, dataclass
-from typing import TYPE_CHECKING, Any, Literal
+from typing import Any, Literal
 
 from cuspaudit.certificate.cover import Cover, Refusal
 from cuspaudit.certificate.cusp_proof import CuspProof
@@ -22,9 +22,7 @@ from cuspaudit.certificate.model import (
     check_certificate,
 )
 from cuspaudit.certificate.path_proof import PathProof
-
-if TYPE_CHECKING:
-    from cuspaudit.certificate.structure_proof import StructureProof
+from cuspaudit.certificate.structure_proof import StructureProof
 
 __all__ = ["Verification", "verify"]
 
@@ -110,8 +108,6 @@ def _proof(certificate: Certificate) -> PathProof | CuspProof | StructureProof:
         case CuspCertificate():
             return CuspProof(certificate)
         case StructureCertificate():
-            from cuspaudit.certificate.structure_proof import StructureProof
-
             return StructureProof(certificate)
     raise TypeError(f"no kind of certificate: {type(certificate).__name__}")
 
