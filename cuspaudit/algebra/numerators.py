@@ -12,6 +12,7 @@ from typing import Any
 from flint import fmpq_poly, nmod_poly
 
 from cuspaudit.algebra.ring import Polynomial
+from cuspaudit.runtime.clock import check_time
 
 __all__ = ["PRIME", "modulo_prime", "numerators"]
 
@@ -72,6 +73,7 @@ class _Monomials:
 
     def __call__(self, exponents: tuple[int, ...]) -> Residue:
         if exponents not in self.known:
+            check_time("numerators")
             at = next(i for i, e in enumerate(exponents) if e)
             lower = (*exponents[:at], exponents[at] - 1, *exponents[at + 1 :])
             self.known[exponents] = self(lower) * self.bases[at] % self.omega

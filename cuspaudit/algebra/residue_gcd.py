@@ -25,6 +25,8 @@ from itertools import islice
 
 from flint import fmpq, fmpq_poly, fmpz, nmod_poly
 
+from cuspaudit.runtime.clock import check_time
+
 __all__ = ["Row", "common_degree", "divided", "monic_gcd"]
 
 #: coefficients in Q[w] or F_l[w] of the powers of z, lowest first, the last one not 0
@@ -95,6 +97,7 @@ def divided(p: Row, q: Row, m: fmpq_poly) -> tuple[Row, Row]:
 def _images(p: Row, q: Row, m: fmpq_poly) -> Iterator[tuple[int, _Residue]]:
     """(l, monic gcd in A[z]) for primes from the largest of 62 bits down."""
     for prime in _primes():
+        check_time("residue_gcd")
         modulus = _residue(m, prime)
         if modulus is None or modulus.degree() < m.degree():
             continue

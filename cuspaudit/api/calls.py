@@ -116,6 +116,7 @@ def decide(
     map: Sequence[str],
     equations: Sequence[str] = (),
     engine: Literal["auto", "roadmap", "routing"] = "auto",
+    complete: bool = False,
     seed: int = 1,
     timeout: float | None = None,
     progress: Progress = lambda step: None,
@@ -126,7 +127,8 @@ def decide(
         variables: names of the coordinates of R^n.
         map: R, d polynomials as text, d the dimension of V; parsed, never evaluated.
         equations: f, polynomials as text; none for V = R^n.
-        engine: the route to connectivity.
+        engine: the route to connectivity; "auto" looks for a couple first.
+        complete: whether "auto" makes the whole run although there is a couple.
         seed: of every random choice.
         timeout: seconds after which it ends undecided.
         progress: called with the name of each step before it runs.
@@ -146,7 +148,14 @@ def decide(
     }
     system = system_from_entries("decide", entries)
     return SystemAudit(
-        decide_system(system, engine, seed=seed, timeout=timeout, progress=progress)
+        decide_system(
+            system,
+            engine,
+            complete=complete,
+            seed=seed,
+            timeout=timeout,
+            progress=progress,
+        )
     )
 
 

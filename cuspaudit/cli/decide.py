@@ -21,7 +21,8 @@ __all__ = ["STEPS", "decide"]
 
 #: of Algorithm 1, in the order of the paper
 STEPS = (
-    *("crit", "check_assumption_a", "atypical_values", "sample_points_rational"),
+    *("crit", "check_assumption_a", "find_couple"),
+    *("atypical_values", "sample_points_rational"),
     *("sample_points", "roadmap", "routing", "graph_connected"),
 )
 
@@ -39,6 +40,10 @@ def decide(
         typer.Option("--json", metavar="FILE", help="Write the run; - is stdout."),
     ] = None,
     engine: EngineName = Engine.auto,
+    complete: Annotated[
+        bool,
+        typer.Option("--complete", help="The whole run although a couple was found."),
+    ] = False,
     seed: Seed = 1,
     timeout: Annotated[
         float, typer.Option(min=0.0, help="Seconds after which it is undecided.")
@@ -54,7 +59,9 @@ def decide(
 
     Two engines tell which points of V are connected without meeting a critical point:
     the sheets of R over the cells of its values (roadmap), and the maxima and saddles
-    of |Delta| (routing). auto takes the first, and the second where that is unable.
+    of |Delta| (routing). auto looks for a couple first, which alone makes R cuspidal;
+    else, or with --complete, it takes the first engine, and the second where that is
+    unable.
     """
     from cuspaudit.auditing.systems.file import read_system
     from cuspaudit.auditing.systems.report import decide_system
@@ -68,6 +75,7 @@ def decide(
             record = decide_system(
                 read,
                 engine.value,
+                complete=complete,
                 seed=seed,
                 timeout=timeout,
                 memory=int(memory * 2**30),
@@ -98,7 +106,7 @@ def _print(record: dict[str, Any], json_file: str | None) -> None:
         if proof["engine"]
         else None,
         "aspects": record["aspects"]["count"],
-        "postures": record["postures"]["max"],
+        "postures": _postures(record["postures"]),
         "Delta": " · ".join(f"({f})" for f in record["singular"]["factors"])
         or record["singular"]["determinant"],
     }
@@ -118,3 +126,10 @@ def _print(record: dict[str, Any], json_file: str | None) -> None:
             shown = value if isinstance(value, Text) else Text(str(value))
             table.add_row(Text(name, style="dim"), shown)
     Console(highlight=False, soft_wrap=True).print(table)
+
+
+def _postures(found: dict[str, Any]) -> str:
+    """The largest fiber; the largest that was seen where it may not be that."""
+    if found["max"] is None:
+        return ""
+    return f"{found['max']}" if found["proved"] else f"{found['max']} seen"

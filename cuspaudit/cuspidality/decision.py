@@ -10,11 +10,17 @@
 Correct by Proposition 10 of the paper under assumption (A), which is checked. Points of
 one fiber at which a factor of Delta has different signs are not connected, so they are
 never asked for.
+
+A couple needs none of the lists that make this complete, so one is looked for first
+(``cuspidality.couple_first``); what the verdict does not need is then left out, unless
+the whole run is asked for.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterator, Sequence
+import time
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field
 from itertools import combinations
 from typing import Literal, Protocol
@@ -29,16 +35,30 @@ from cuspaudit.algebra.parametrization import (
 )
 from cuspaudit.algebra.ring import Polynomial
 from cuspaudit.algebra.system import PolynomialMap, PolynomialSystem
+from cuspaudit.cuspidality.couple_first import (
+    Couple,
+    Value,
+    find_couple,
+    more_fibers,
+)
 from cuspaudit.cuspidality.verdict import Verdict
-from cuspaudit.errors import DegenerateMapError, RetryableError, UnableError
+from cuspaudit.errors import (
+    DegenerateMapError,
+    RetryableError,
+    TimeLimitError,
+    UnableError,
+)
 from cuspaudit.geometry.assumption_a import check_assumption_a
 from cuspaudit.geometry.atypical_values import AtypicalValues, atypical_values
 from cuspaudit.geometry.cells.axis_order import axis_order
 from cuspaudit.geometry.cells.open_cells import OpenCells, open_cells
 from cuspaudit.geometry.crit import crit
+from cuspaudit.geometry.fibers.degree import has_degree_at_most
 from cuspaudit.geometry.fibers.generic_fiber import GenericFiber
+from cuspaudit.geometry.idle_circles import without_idle_circles
 from cuspaudit.geometry.roadmap import roadmap
-from cuspaudit.geometry.routing import routing
+from cuspaudit.geometry.routing import morse_graph, routing
+from cuspaudit.runtime.clock import time_limit
 from cuspaudit.runtime.steps import Step, Steps
 
 __all__ = ["Couple", "Decision", "Engine", "decide", "points_over"]
@@ -46,6 +66,9 @@ __all__ = ["Couple", "Decision", "Engine", "decide", "points_over"]
 Engine = Literal["auto", "roadmap", "routing"]
 
 _UNLIMITED = 1e6
+#: seconds for what a couple does not need, and for a proof among that
+_EXTRA = 4.0
+_BRIEF = 0.5
 _EXACT = ("FLINT resultants", "FLINT root isolation", "exact signs", "ball arithmetic")
 
 
@@ -67,23 +90,6 @@ class Connectivity(Protocol):
         """Way points on V between two points of one component."""
 
 
-@dataclass(frozen=True, eq=False)
-class Couple:
-    """Two points of V over one value, in one component of V - {Delta = 0}.
-
-    Attributes:
-        value: q in Q^d.
-        points: the two points, exactly.
-        sign: of Delta at both; 1 when there are several minors.
-        path: (m, n) way points on V from the first to the second, in floating point.
-    """
-
-    value: tuple[fmpq, ...]
-    points: tuple[RealPoint, RealPoint]
-    sign: int
-    path: NDArray[np.float64]
-
-
 @dataclass(eq=False)
 class Decision:
     """One run of Algorithm 1, as far as it came.
@@ -95,8 +101,11 @@ class Decision:
         engine: the route to connectivity that gave the verdict.
         minors: Delta, or several minors with {Delta = 0} for their common zeros on V.
         atypical: polynomials g with the atypical values among their zeros.
-        samples: the real points over one value, at least, in every cell of {g != 0}.
-        components: the number of components of V - {Delta = 0}, proved.
+        samples: real points over some values; of a complete run over one value, at
+            least, in every cell of {g != 0}.
+        most_is_proved: whether no regular value has more real points than these.
+        components: the number of components of V - {Delta = 0}, proved; None where
+            the verdict did not need it and it took too long.
         couple: of a cuspidal map.
         rests_on: what the verdict rests on.
         steps: the steps that ended.
@@ -110,6 +119,7 @@ class Decision:
     minors: tuple[Polynomial, ...] = ()
     atypical: list[Polynomial] = field(default_factory=list)
     samples: dict[tuple[fmpq, ...], tuple[RealPoint, ...]] = field(default_factory=dict)
+    most_is_proved: bool = False
     components: int | None = None
     couple: Couple | None = None
     rests_on: tuple[str, ...] = ()
@@ -118,7 +128,7 @@ class Decision:
 
     @property
     def most_points(self) -> int | None:
-        """The largest number of real points over a value with g != 0, proved."""
+        """The largest number of real points over one of the sample values."""
         return max(map(len, self.samples.values()), default=None)
 
 
@@ -127,6 +137,7 @@ def decide(
     mapping: PolynomialMap,
     engine: Engine = "auto",
     *,
+    complete: bool = False,
     seed: int = 1,
     timeout: float | None = None,
     progress: Callable[[str], None] = lambda step: None,
@@ -138,8 +149,9 @@ def decide(
     Args:
         variety: V = {f = 0} over Q, f empty for V = R^n.
         mapping: R: V -> R^d, d the dimension of V.
-        engine: the route to connectivity; "auto" takes the roadmap, and the routing
-            where that is unable.
+        engine: the route to connectivity; "auto" looks for a couple first, and then
+            takes the roadmap, and the routing where that is unable.
+        complete: whether "auto" is to make the whole run although there is a couple.
         seed: of every random choice.
         timeout: in s; looked at between steps and given to every program started.
         progress: called with the name of each step before it runs.
@@ -155,8 +167,17 @@ def decide(
     run = Decision(variety, mapping)
     steps = Steps(progress, timeout)
     try:
-        values = _prepare(run, steps, seed)
-        _connect(run, steps, values, engine, seed)
+        with time_limit(timeout):
+            unable = _check(run, steps)
+            if engine == "auto" and not complete:
+                _couple_first(run, steps, seed)
+            if run.verdict is Verdict.UNDECIDED:
+                if unable is not None:
+                    raise unable
+                values = _prepare(run, steps, seed)
+                _connect(run, steps, values, engine, seed)
+    except TimeLimitError as limit:
+        run.failure = TimeLimitError(steps.current, limit.seconds)
     except UnableError as limit:
         run.failure = limit
     except RetryableError as unlucky:
@@ -166,15 +187,86 @@ def decide(
     return run
 
 
-def _prepare(run: Decision, steps: Steps, seed: int) -> tuple[GenericFiber, OpenCells]:
-    """Steps 1 to 8 of the algorithm: Delta, g, Q and the points over Q."""
-    variety, mapping = run.variety, run.mapping
+def _check(run: Decision, steps: Steps) -> UnableError | None:
+    """Steps 1 and 2: Delta, and assumption (A); why that was not decided, or None.
+
+    A couple is one without it when V is given by n - d equations.
+    """
+    variety, dimension = run.variety, len(run.mapping.components)
     steps.begin("crit")
-    run.minors = crit(variety, mapping)
+    run.minors = crit(variety, run.mapping)
     steps.begin("check_assumption_a")
-    check_assumption_a(variety, len(mapping.components))
+    unable = None
+    try:
+        check_assumption_a(variety, dimension)
+    except UnableError as limit:
+        if variety.dimension != dimension:
+            raise
+        unable = limit
     if not run.minors:
         raise DegenerateMapError("Delta vanishes identically: the map has no full rank")
+    return unable
+
+
+def _couple_first(run: Decision, steps: Steps, seed: int) -> None:
+    """A verdict by one couple, in half of the time; and what is soon known besides."""
+    variety, mapping, minors = run.variety, run.mapping, run.minors
+    steps.begin("find_couple")
+    essential = without_idle_circles(variety, len(mapping.components), minors)
+    left = _share(steps, 2)
+    try:
+        with time_limit(left()):
+            found = find_couple(essential, mapping, minors, left, seed)
+    except (UnableError, RetryableError):
+        return
+    if found.couple is None:
+        return
+    run.couple, run.engine, run.verdict = found.couple, "couple", Verdict.CUSPIDAL
+    run.rests_on = ("exact solutions", "exact signs", "ball arithmetic")
+    with suppress(UnableError, RetryableError):
+        steps.begin("sample_points")
+        left = _share(steps, 4, _EXTRA)
+        fibers = more_fibers(essential, mapping, minors, left, seed)
+        run.samples = _regular(run, found.fibers | fibers)
+        run.most_is_proved = _is_most(run, min(left(), _BRIEF))
+        steps.begin("routing")
+        with time_limit(_share(steps, 4, _EXTRA)()):
+            run.components = morse_graph(
+                essential.variety,
+                essential.dimension,
+                essential.minors,
+                seed=seed,
+                timeout=_EXTRA,
+            ).number_of_components
+
+
+def _regular(
+    run: Decision, fibers: Mapping[Value, ZeroDimensionalParametrization]
+) -> dict[Value, tuple[RealPoint, ...]]:
+    """The real points of the fibers without a critical one."""
+    ring = run.variety.ring
+    return {
+        value: fiber.real_points()
+        for value, fiber in fibers.items()
+        if all(
+            any(point.sign(minor, ring) != 0 for minor in run.minors)
+            for point in fiber.real_points()
+        )
+    }
+
+
+def _is_most(run: Decision, seconds: float) -> bool:
+    """Whether it was proved that no fiber has more regular points than those known."""
+    most = run.most_points or 0
+    value = next((v for v, p in run.samples.items() if len(p) == most), None)
+    return value is not None and has_degree_at_most(
+        run.variety, run.mapping, value, most, seconds
+    )
+
+
+def _prepare(run: Decision, steps: Steps, seed: int) -> tuple[GenericFiber, OpenCells]:
+    """Steps 3 to 8 of the algorithm: g, Q and the points over Q."""
+    variety, mapping = run.variety, run.mapping
     steps.begin("atypical_values")
     values = atypical_values(variety, mapping, _limit(steps), seed)
     run.atypical = values.polynomials
@@ -187,6 +279,7 @@ def _prepare(run: Decision, steps: Steps, seed: int) -> tuple[GenericFiber, Open
     for value in cells.samples.values():
         own = tuple(value[order.index(i)] for i in range(len(order)))
         run.samples[own] = points_over(fiber, value).real_points()
+    run.most_is_proved = True
     return fiber, cells
 
 
@@ -279,3 +372,9 @@ def _factors(minors: Sequence[Polynomial]) -> list[Polynomial]:
 
 def _limit(steps: Steps) -> float:
     return _UNLIMITED if steps.left is None else steps.left
+
+
+def _share(steps: Steps, parts: int, most: float = _UNLIMITED) -> Callable[[], float]:
+    """The seconds left of a part of the time left now, ``most`` s at most."""
+    end = time.monotonic() + min(_limit(steps) / parts, most)
+    return lambda: max(0.0, end - time.monotonic())

@@ -1,16 +1,54 @@
-"""The clock of a run: it times the stages, tells the steps and keeps the time limit."""
+"""The clock of a run: it times the stages, tells the steps and keeps the time limit.
+
+What runs long inside one step is handed no clock: it asks ``check_time`` in its loops,
+and stops at the limit that is in force there (``time_limit``).
+"""
 
 from __future__ import annotations
 
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from contextvars import ContextVar
 
 from cuspaudit.errors import TimeLimitError
 
-__all__ = ["Clock", "Progress"]
+__all__ = ["Clock", "Progress", "check_time", "time_limit"]
 
 Progress = Callable[[str], None]
+
+#: when the limit in force ends, on the performance counter, and its seconds
+_LIMIT: ContextVar[tuple[float, float] | None] = ContextVar("limit", default=None)
+
+
+@contextmanager
+def time_limit(seconds: float | None) -> Iterator[None]:
+    """Let ``check_time`` raise in the block once so many seconds have passed.
+
+    A limit that is in force already stays, where it is the earlier one.
+    """
+    outer = _LIMIT.get()
+    if seconds is None or (
+        outer is not None and outer[0] <= time.perf_counter() + seconds
+    ):
+        yield
+        return
+    token = _LIMIT.set((time.perf_counter() + seconds, seconds))
+    try:
+        yield
+    finally:
+        _LIMIT.reset(token)
+
+
+def check_time(step: str) -> None:
+    """Stop when the limit in force has passed.
+
+    Raises:
+        TimeLimitError: it has; it names ``step``.
+    """
+    limit = _LIMIT.get()
+    if limit is not None and time.perf_counter() > limit[0]:
+        raise TimeLimitError(step, limit[1])
 
 
 class Clock:

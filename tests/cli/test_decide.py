@@ -41,9 +41,20 @@ def test_exit_code_and_schema(name: str, code: int, engine: str) -> None:
     jsonschema.validate(record, schema)
     assert found == code
     assert record["robot"] is None
-    assert record["proof"]["engine"] == ("roadmap" if engine == "auto" else engine)
+    first = "couple" if code == 1 else "roadmap"
+    assert record["proof"]["engine"] == (first if engine == "auto" else engine)
     assert (record["witness"] is not None) == (code == 1)
     assert record["steps"][0]["name"] == "crit"
+
+
+def test_the_whole_run_on_request() -> None:
+    """With --complete a cuspidal map has its samples in every cell as well."""
+    file = str(SYSTEMS / "whitney-cusp.yaml")
+    code, output = run(file, "--complete", "--json=-")
+    record = json.loads(output)
+    assert code == 1
+    assert record["proof"]["engine"] == "roadmap"
+    assert record["postures"] == {"max": 3, "proved": True}
 
 
 def test_a_summary_for_people() -> None:
@@ -56,7 +67,8 @@ def test_a_summary_for_people() -> None:
 
 def test_no_time_is_undecided_naming_the_step() -> None:
     """A run past its time limit exits 3 and names the step it was at."""
-    code, output = run(str(SYSTEMS / "issac-2022.yaml"), "--timeout", "1", "--json=-")
+    file = str(SYSTEMS / "issac-2022.yaml")
+    code, output = run(file, "--complete", "--timeout", "1", "--json=-")
     record = json.loads(output)
     assert code == 3
     assert record["verdict"] == "undecided"

@@ -1,16 +1,17 @@
 from __future__ import annotations
 
 import itertools
+import time
 from contextlib import AbstractContextManager
 from types import SimpleNamespace
 
 import pytest
 
 from cuspaudit.auditing.audit import audit
-from cuspaudit.errors import UnableError
+from cuspaudit.errors import TimeLimitError, UnableError
 from cuspaudit.robot.library import open_robot
 from cuspaudit.runtime import clock as module
-from cuspaudit.runtime.clock import Clock
+from cuspaudit.runtime.clock import Clock, check_time, time_limit
 
 
 @pytest.fixture
@@ -50,3 +51,26 @@ def test_a_step_after_the_limit_is_not_begun() -> None:
         clock.step("second")
     clock.step("last", always=True)
     assert begun == ["first", "last"]
+
+
+def test_a_limit_in_force_stops_what_asks() -> None:
+    """``check_time`` raises in the block once the time is over, and never outside."""
+    check_time("before")
+    with time_limit(0.0), pytest.raises(TimeLimitError, match="here"):
+        time.sleep(0.001)
+        check_time("here")
+    check_time("after")
+
+
+def test_an_earlier_limit_stays() -> None:
+    """A longer limit inside a shorter one, or none, gives no more time."""
+    for inner in (10.0, None):
+        with time_limit(0.0), time_limit(inner):
+            time.sleep(0.001)
+            with pytest.raises(TimeLimitError):
+                check_time("here")
+    with time_limit(10.0):
+        with time_limit(0.0), pytest.raises(TimeLimitError):
+            time.sleep(0.001)
+            check_time("here")
+        check_time("here")

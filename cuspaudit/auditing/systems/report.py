@@ -29,6 +29,7 @@ def decide_system(
     system: SystemFile,
     engine: Engine = "auto",
     *,
+    complete: bool = False,
     seed: int = 1,
     timeout: float | None = None,
     memory: int | None = None,
@@ -38,7 +39,8 @@ def decide_system(
 
     Args:
         system: V and R.
-        engine: the route to connectivity.
+        engine: the route to connectivity; "auto" looks for a couple first.
+        complete: whether "auto" is to make the whole run although there is a couple.
         seed: of every random choice.
         timeout: in s, or None. What is not done by then is undecided, at its step.
         memory: bytes of the process, or None; likewise.
@@ -48,7 +50,8 @@ def decide_system(
         AssumptionError: a hypothesis of the algorithm fails for this system.
     """
     started = time.perf_counter()
-    shared: dict[str, Any] = {"engine": engine, "seed": seed, "timeout": timeout}
+    shared: dict[str, Any] = {"engine": engine, "complete": complete}
+    shared |= {"seed": seed, "timeout": timeout}
     seen = _Seen(progress)
 
     def work(report: Callable[[str], None]) -> dict[str, Any]:
@@ -159,7 +162,8 @@ def _why(run: Decision) -> str:
 
 def _postures(run: Decision) -> dict[str, Any]:
     known = run.verdict is not Verdict.UNDECIDED
-    return {"max": run.most_points if known else None, "proved": known}
+    most = run.most_points if known else None
+    return {"max": most, "proved": known and run.most_is_proved}
 
 
 def _factors(minors: tuple[Polynomial, ...]) -> list[str]:

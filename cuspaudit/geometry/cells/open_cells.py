@@ -44,6 +44,7 @@ from cuspaudit.algebra.univariate import (
 )
 from cuspaudit.errors import PrecisionError, UnableError
 from cuspaudit.geometry.sample_points_rational import project
+from cuspaudit.runtime.clock import check_time
 
 __all__ = ["Cell", "Contact", "OpenCells", "Point", "open_cells"]
 
@@ -140,6 +141,7 @@ def open_cells(
         contacts = [up for contact in contacts for up in _raised(cells, contact)]
         stacked = []
         for cell, point in base:
+            check_time("open_cells")
             roots = cells.stack(point)
             accept = _Generic(cells, point)
             stack = [(*point, y) for y in _between(roots, accept)]
@@ -261,6 +263,7 @@ def _raised(cells: OpenCells, contact: Contact) -> Iterator[Contact]:
 
     A rational b of a gap is no zero over the root, so none over a neighbourhood of it.
     """
+    check_time("open_cells")
     ring, level, axis = cells.ring, len(contact.ends[0]), contact.axis
     w, z = cells.variables[axis], cells.variables[level]
     at = dict(zip(cells.variables, contact.ends[0], strict=False))

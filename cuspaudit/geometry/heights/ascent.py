@@ -13,6 +13,7 @@ from numpy.random import Generator
 from numpy.typing import NDArray
 
 from cuspaudit.geometry.heights.charted_height import Landscape, Tangent
+from cuspaudit.runtime.clock import check_time
 
 __all__ = ["climb"]
 
@@ -39,6 +40,7 @@ def climb(
     """
     points = [np.asarray(start, dtype=np.float64)]
     for _ in range(_MOST_STEPS):
+        check_time("ascent")
         tangent = landscape.tangent(points[-1])
         gradient, hessian = landscape.slopes(tangent, points[-1])
         if not (np.isfinite(gradient).all() and np.isfinite(hessian).all()):

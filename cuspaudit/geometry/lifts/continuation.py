@@ -20,6 +20,7 @@ from cuspaudit.algebra.evaluation import Differentiable
 from cuspaudit.algebra.system import PolynomialMap, PolynomialSystem
 from cuspaudit.errors import NotSquareError
 from cuspaudit.geometry.lifts.lifting import Box, Chart, Lift, lift, sharpen
+from cuspaudit.runtime.clock import check_time
 
 __all__ = ["Continuation", "continue_point", "follow", "square_chart"]
 
@@ -123,6 +124,7 @@ def follow(
     at, size, grow = fmpq(0), fmpq(1), True
     point, here, steps = start, y0, list[Lift]()
     while at < 1 and len(steps) < _MOST_STEPS:
+        check_time("continuation")
         step = min(size, 1 - at)
         there = y1 if at + step == 1 else _between(y0, y1, at + step)
         done = _step(chart, point, here, there)
