@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from cuspaudit.algebra.angles import shortest_turn
 from cuspaudit.algebra.parametrization import RealPoint
 from cuspaudit.algebra.ring import Rational
 from cuspaudit.kinematics.exact_model import ExactModel
@@ -128,7 +129,7 @@ class Crowd:
         angles = [
             math.atan2(ball[s].mid(), ball[c].mid()) - zero for (c, s), zero in pairs
         ]
-        return [float(np.remainder(a + np.pi, 2 * np.pi) - np.pi) for a in angles]
+        return [float(angle) for angle in shortest_turn(np.array(angles))]
 
     def sentence(self) -> str:
         """What is proved, in one sentence."""

@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from cuspaudit.algebra.angles import beside
 from cuspaudit.algebra.numeric import NumericPolynomial, numeric_values
 from cuspaudit.surface.sample_points import Posture
 from cuspaudit.surface.surface import Factor, Surface
@@ -151,8 +152,8 @@ class _Landscape:
         base = np.linspace(start[1], goal[1] + 2 * np.pi * turns, _STEPS)
         middle = self.silhouette(base)
         if self.surface.fiber.kind == "circle":
-            start[0] += 2 * np.pi * np.round((middle[0] - start[0]) / (2 * np.pi))
-            goal[0] += 2 * np.pi * np.round((middle[-1] - goal[0]) / (2 * np.pi))
+            start[:1] = beside(start[:1], middle[:1])
+            goal[:1] = beside(goal[:1], middle[-1:])
         along = np.stack([middle, base], axis=1)
         last = np.array([goal[0], base[-1]])
         return np.vstack([start, along, last])

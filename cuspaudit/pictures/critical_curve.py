@@ -18,7 +18,8 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from cuspaudit.pictures.joint_surface import FULL_TURN, Array, JointSurface
+from cuspaudit.algebra.angles import FULL_TURN
+from cuspaudit.pictures.joint_surface import Array, JointSurface
 
 __all__ = ["Band", "Piece", "bands", "pieces", "trace", "wall_pieces"]
 

@@ -13,9 +13,10 @@ from itertools import product
 
 import numpy as np
 
+from cuspaudit.algebra.angles import FULL_TURN, shortest_turn
 from cuspaudit.cuspidality.surface_path import posture_angles
 from cuspaudit.pictures.critical_curve import Band, Piece, bands
-from cuspaudit.pictures.joint_surface import FULL_TURN, Array, JointSurface
+from cuspaudit.pictures.joint_surface import Array, JointSurface
 from cuspaudit.pictures.value_plane import finite_runs
 from cuspaudit.surface.graph_isotop import RoadmapGraph
 from cuspaudit.surface.sample_points import Fiber
@@ -86,8 +87,7 @@ class _Sheet:
 
     def home(self, values: Array) -> Array:
         """Joint values with every angle in [-pi, pi)."""
-        turned = np.remainder(values + math.pi, FULL_TURN) - math.pi
-        return np.where(self.is_turn, turned, values)
+        return np.where(self.is_turn, shortest_turn(values), values)
 
     @staticmethod
     def _shifts(values: Array, low: float, high: float, turn: bool) -> list[float]:

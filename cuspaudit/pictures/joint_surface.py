@@ -22,10 +22,9 @@ from cuspaudit.kinematics.polynomial_map import reduced_map
 from cuspaudit.kinematics.transform import dot
 from cuspaudit.surface.surface import Factor
 
-__all__ = ["FULL_TURN", "Array", "JointSurface"]
+__all__ = ["Array", "JointSurface"]
 
 Array = NDArray[np.float64]
-FULL_TURN = 2 * math.pi
 
 
 class JointSurface:

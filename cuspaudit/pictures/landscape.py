@@ -13,6 +13,7 @@ from fractions import Fraction
 
 import numpy as np
 
+from cuspaudit.algebra.angles import shortest_turn
 from cuspaudit.auditing.audit import Audit, Options, audit
 from cuspaudit.auditing.deciders.decide import answer
 from cuspaudit.auditing.search.aspect_routing import AspectRouting, route_aspects
@@ -157,7 +158,7 @@ def _of_joints(routing: AspectRouting, at: int, centre: Array, name: str) -> Sli
     points[..., at], points[..., at + 1] = np.meshgrid(angles, angles)
     numbers = [routing.joints[k] + 1 for k in pair]
     first, second = (f"θ{'₀₁₂₃₄₅₆'[n]}: joint {n} (rad)" for n in numbers)
-    place = np.remainder(centre[pair] + np.pi, 2 * np.pi) - np.pi
+    place = shortest_turn(centre[pair])
     window = (-np.pi, np.pi, -np.pi, np.pi)
     heights = _heights(routing, points)
     return Slice(

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from cuspaudit.algebra.angles import shortest_turn
 from cuspaudit.auditing.answer import Answer
 from cuspaudit.auditing.aspects import aspect_components
 from cuspaudit.auditing.crosscheck.pinocchio_model import reach_scale
@@ -98,7 +99,7 @@ def _met(model: ExactModel, first: Array, starts: Array) -> Array:
         gaps = [np.where(turns, np.sin((posture - q) / 2), posture - q) for q in met]
         if np.abs(error).max() < _NEAR and all(np.abs(g).max() > _APART for g in gaps):
             met.append(posture)
-    wrapped = np.remainder(np.array(met) + np.pi, 2 * np.pi) - np.pi
+    wrapped = shortest_turn(np.array(met))
     return np.where(turns, wrapped, np.array(met))
 
 
@@ -217,4 +218,4 @@ def _turned_over(answer: Answer, postures: Array) -> Array:
     middle = wrist_middle(_wrist_last(answer), other[0, :3])
     other[:, 4] = 2 * middle - np.pi - other[:, 4]
     other[:, 3:] += np.array([np.pi, 0.0, np.pi])
-    return np.asarray((np.remainder(other + np.pi, 2 * np.pi) - np.pi)[:, ::step])
+    return shortest_turn(other)[:, ::step]

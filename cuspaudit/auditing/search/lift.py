@@ -13,6 +13,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from cuspaudit.algebra.angles import shortest_turn
 from cuspaudit.cuspidality.surface_path import SurfacePath
 from cuspaudit.errors import RetryableError
 from cuspaudit.kinematics.exact_model import ExactModel
@@ -178,7 +179,7 @@ def _wrist_at(
             error = _turn_between(frames(chain, posture)[-1], target)
             columns = _axes(chain, posture)[3:].T
             wrist = wrist + np.linalg.lstsq(columns, error, rcond=None)[0]
-        wrist = center + np.remainder(wrist - center + np.pi, 2 * np.pi) - np.pi
+        wrist = center + shortest_turn(wrist - center)
         placed = frames(chain, np.r_[regional, wrist])[-1]
         reached = np.abs(placed[:3, :3] - target[:3, :3]).max() < _REACHED
         if reached and wrist_spread(np.r_[regional, wrist], middle) > 0:

@@ -15,10 +15,11 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
+from cuspaudit.algebra.angles import separation, shortest_turn
 from cuspaudit.auditing.aspects import aspect_components
 from cuspaudit.auditing.evidence import PairMaximum, PairRecord
 from cuspaudit.auditing.search.aspect_routing import AspectRouting, route_aspects
-from cuspaudit.auditing.search.pair_space import Maxima, PairSpace, separation, shortest
+from cuspaudit.auditing.search.pair_space import Maxima, PairSpace
 from cuspaudit.errors import UnableError
 from cuspaudit.geometry.torus.function import TorusFunction
 from cuspaudit.kinematics.determinant import jacobian_determinant
@@ -112,7 +113,7 @@ def _record(
     largest = float(np.abs(space.h(pairs + space.zeros)).max(initial=0.0))
     maxima = []
     for group in _groups(pairs[..., space.inner]):
-        first, second = shortest(pairs[group[0]])
+        first, second = shortest_turn(pairs[group[0]])
         level = float(np.exp(heights[group[0]])) / largest**2
         sign = 1 if space.h(first + space.zeros) > 0 else -1
         ends = (tuple(map(float, first)), tuple(map(float, second)))

@@ -17,12 +17,13 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from cuspaudit.algebra.angles import separation
 from cuspaudit.geometry.torus.function import TorusFunction
 from cuspaudit.kinematics.postures.arm import Arm
 from cuspaudit.kinematics.postures.moving import gap, moved, scaled_arm
 from cuspaudit.robot.chain import Chain
 
-__all__ = ["Maxima", "PairSpace", "separation", "shortest"]
+__all__ = ["Maxima", "PairSpace"]
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
@@ -204,13 +205,3 @@ def _least(matrix: Array, right: Array) -> Array:
     back = np.swapaxes(matrix, -1, -2)
     square = back @ matrix + _DAMPED * np.eye(matrix.shape[-1])
     return np.asarray(np.linalg.solve(square, back @ right))
-
-
-def shortest(angles: Array) -> Array:
-    """``angles`` reduced to [-pi, pi)."""
-    return np.asarray(np.remainder(angles + np.pi, 2 * np.pi) - np.pi)
-
-
-def separation(a: Array, b: Array) -> Array:
-    """How far angles are apart, in [0, pi]."""
-    return np.abs(shortest(a - b))

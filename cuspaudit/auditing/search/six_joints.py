@@ -16,11 +16,13 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
+from cuspaudit.algebra.angles import shortest_turn
 from cuspaudit.auditing.evidence import SearchRecord
 from cuspaudit.auditing.search.torus_determinant import TorusDeterminant
-from cuspaudit.auditing.search.torus_path import ascents, height_of, straight, tidy
-from cuspaudit.auditing.search.torus_ridge import Ridge, critical_points
+from cuspaudit.auditing.search.torus_path import height_of, straight, tidy
+from cuspaudit.auditing.search.torus_ridge import Ridge
 from cuspaudit.errors import UnableError
+from cuspaudit.geometry.torus.critical import FAST, climb, critical_sheets
 from cuspaudit.kinematics.postures.numeric import PostureSolver, is_even
 from cuspaudit.robot.chain import Chain
 
@@ -137,8 +139,8 @@ class _Looking:
     def climb(self) -> None:
         """Find maxima of |det J| and the ways between them."""
         starts = self.rng.uniform(-np.pi, np.pi, (_STARTS, 4))
-        critical = critical_points(self.h, starts)
-        critical = np.vstack([critical, ascents(self.h, starts[:_CLIMBS])[-1]])
+        critical = critical_sheets(self.h, starts)
+        critical = np.vstack([critical, climb(self.h, starts[:_CLIMBS], FAST)[-1]])
         self.largest = float(np.abs(self.h(critical)).max())
         self.ridges = {s: Ridge(self.h, s, critical) for s in (1.0, -1.0)}
 
@@ -174,7 +176,7 @@ class _Looking:
         self, postures: Array, heights: Array, first: Index, second: Index
     ) -> None:
         """Keep the couples whose way by the ridge is promised to be the highest."""
-        ways = ascents(self.h, postures[:, 1:5])
+        ways = climb(self.h, postures[:, 1:5], FAST)
         for sign, ridge in self.ridges.items():
             if not len(ridge.peaks):
                 continue
@@ -225,6 +227,6 @@ def _with_ends(first: Array, second: Array, on_torus: Array) -> Array:
     length = np.r_[0.0, np.cumsum(np.linalg.norm(np.diff(on_torus, axis=0), axis=1))]
     share = (length / length[-1])[:, None]
     outer = [0, 5]
-    turn = np.remainder(second[outer] - first[outer] + np.pi, 2 * np.pi) - np.pi
+    turn = shortest_turn(second[outer] - first[outer])
     ends = first[outer] + share * turn
     return np.column_stack([ends[:, 0], on_torus, ends[:, 1]])

@@ -23,6 +23,7 @@ __all__ = ["TorusDeterminant"]
 Array = NDArray[np.float64]
 
 _DEGREES = (1, 2, 2, 1)
+_DIFFERENCE = 1e-5
 
 
 @dataclass(frozen=True, eq=False)
@@ -48,6 +49,16 @@ class TorusDeterminant:
             values = np.moveaxis(np.tensordot(fit, values, (1, axis)), 0, axis)
         return cls(values.reshape(15, 15))
 
+    @property
+    def dimension(self) -> int:
+        """The dimension of the torus."""
+        return len(_DEGREES)
+
+    @property
+    def size(self) -> float:
+        """A bound of |h|: no product of bases is larger than 1."""
+        return float(np.abs(self.table).sum())
+
     def __call__(self, points: Array) -> Array:
         """The values at points (..., 4)."""
         first, second = self._halves(points, ())
@@ -60,6 +71,15 @@ class TorusDeterminant:
             first, second = self._halves(points, (axis,))
             parts.append((first @ self.table * second).sum(-1))
         return np.stack(parts, -1)
+
+    def hessian(self, points: Array) -> Array:
+        """The Hessian matrices at points (..., 4): (..., 4, 4), by differences."""
+        columns = [
+            (self.gradient(points + e) - self.gradient(points - e)) / (2 * _DIFFERENCE)
+            for e in _DIFFERENCE * np.eye(4)
+        ]
+        result = np.stack(columns, -1)
+        return np.asarray((result + np.swapaxes(result, -1, -2)) / 2)
 
     def _halves(self, points: Array, derived: tuple[int, ...]) -> tuple[Array, Array]:
         """The products of the bases, those of the joints in ``derived`` derived."""

@@ -12,9 +12,10 @@ from itertools import product
 import numpy as np
 from numpy.typing import NDArray
 
+from cuspaudit.algebra.angles import FULL_TURN, shortest_turn
 from cuspaudit.auditing.search.torus_determinant import TorusDeterminant
 
-__all__ = ["ascents", "height_of", "straight", "tidy"]
+__all__ = ["height_of", "straight", "tidy"]
 
 Array = NDArray[np.float64]
 
@@ -22,9 +23,6 @@ _SAMPLES = 48
 _FINE = 200
 _SPACING = 0.01
 _LOW = 0.02
-_STEPS = 60
-_STRIDE = 0.2
-_FIRST = 0.02
 _KEEP = 0.9
 _CUTS = 2
 _TURNS = np.array(list(product((0, 1), repeat=4)), dtype=np.float64)
@@ -46,8 +44,8 @@ def straight(
 
     Each joint may turn the short way or the long way round: sixteen paths a pair.
     """
-    short = np.remainder(end - start + np.pi, 2 * np.pi) - np.pi
-    long = short - 2 * np.pi * np.where(short > 0, 1.0, -1.0)
+    short = shortest_turn(end - start)
+    long = short - FULL_TURN * np.where(short > 0, 1.0, -1.0)
     moves = short[..., None, :] * (1 - _TURNS) + long[..., None, :] * _TURNS
     begin = np.broadcast_to(start[..., None, :], moves.shape)
     low = _lowest(h, sign[..., None], begin, begin + moves)
@@ -86,28 +84,6 @@ def _lowest_of_cubics(f0: Array, f1: Array, m0: Array, m1: Array) -> float:
         t = m0 / (-b - np.sqrt(b * b - 3 * a * m0))
     t = np.where((t > 0) & (t < 1), t, 0.0)
     return float(np.minimum(f0, f0 + t * (m0 + t * (b + t * a))).min())
-
-
-def ascents(h: TorusDeterminant, points: Array) -> Array:
-    """Ways uphill of |h| from points (n, 4): (steps, n, 4), the last ones near maxima.
-
-    Steps follow the gradient; they grow from 0.02 to at most 0.2 rad, and shrink for a
-    point whose |h| they would lower.
-    """
-    stride = np.full(len(points), _FIRST)
-    height, ways = np.abs(h(points)), [points]
-    sign = np.sign(h(points))
-    for _ in range(_STEPS):
-        slope = sign[:, None] * h.gradient(points)
-        norm = np.linalg.norm(slope, axis=1) + 1e-300
-        new = points + (stride / norm)[:, None] * slope
-        value = sign * h(new)
-        up = value > height
-        points = np.where(up[:, None], new, points)
-        height = np.where(up, value, height)
-        stride = np.where(up, np.minimum(1.3 * stride, _STRIDE), stride / 3)
-        ways.append(points)
-    return np.array(ways)
 
 
 def tidy(h: TorusDeterminant, sign: float, path: Array) -> Array:

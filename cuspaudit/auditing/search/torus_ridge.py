@@ -2,8 +2,7 @@
 
 Two maxima of one sign are joined by the two ascents from a pass, a critical point of h
 with a direction in which |h| rises both ways; its height is the clearance of that way
-[DESIGN 4, routing]. Critical points are looked for by Newton's method from random
-points; pseudo-inverses make it settle as well where they are not isolated. Where two
+[DESIGN 4, routing]. The critical points are those of `critical_sheets`: where two
 factors of h nearly vanish together there is a whole sheet of passes, as low as the
 arm's numbers are off the ones for which h would factor.
 
@@ -15,37 +14,21 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from cuspaudit.algebra.angles import beside, separation
 from cuspaudit.auditing.search.torus_determinant import TorusDeterminant
-from cuspaudit.auditing.search.torus_path import ascents, straight
+from cuspaudit.auditing.search.torus_path import straight
+from cuspaudit.geometry.torus.critical import FAST, climb
 
-__all__ = ["Ridge", "critical_points"]
+__all__ = ["Ridge"]
 
 Array = NDArray[np.float64]
 
-_NEWTON = 40
-_STRIDE = 0.3
 _SETTLED = 1e-7
-_RCOND = 1e-3
-_LOWEST = 1e-12
 _STRAIGHT = 0.02
 _BESIDE = 0.02
 _EQUAL = 0.05
 _MOST_PEAKS = 24
 _MOST_PASSES = 96
-
-
-def critical_points(h: TorusDeterminant, points: Array) -> Array:
-    """Critical points of h with h != 0 that Newton's method reaches from ``points``."""
-    settled = np.zeros(len(points))
-    for _ in range(_NEWTON):
-        inverse = np.linalg.pinv(_hessian(h, points), rcond=_RCOND, hermitian=True)
-        step = (inverse @ h.gradient(points)[..., None])[..., 0]
-        settled = np.linalg.norm(step, axis=1)
-        shrink = np.minimum(1.0, _STRIDE / np.maximum(settled, _LOWEST))
-        points = points - step * shrink[:, None]
-    height = np.abs(h(points))
-    good = (settled < _SETTLED) & (height > _LOWEST * height.max(initial=0.0))
-    return np.asarray(points[good])
 
 
 class Ridge:
@@ -67,8 +50,8 @@ class Ridge:
         flat = rise <= _SETTLED * np.abs(h(own)).max(initial=0.0)
         passes = _distinct(own[~flat], _MOST_PASSES)
         _, direction = _steepest(h, sign, passes)
-        beside = np.vstack([passes - _BESIDE * direction, passes + _BESIDE * direction])
-        ways = ascents(h, beside)
+        off = np.vstack([passes - _BESIDE * direction, passes + _BESIDE * direction])
+        ways = climb(h, off, FAST)
         tops = np.vstack([own[flat], ways[-1]])
         tops = tops[np.argsort(-sign * h(tops))] if len(tops) else tops
         self.peaks = _distinct(tops, _MOST_PEAKS)
@@ -111,11 +94,13 @@ class Ridge:
         i, j = self._nearest(np.array([up[-1], down[0]]))
         path = up
         for leg in self._legs(int(i), int(j)):
-            path = np.vstack([path, _from(path[-1], self._ways[leg])])
-        return np.vstack([path, _from(path[-1], down)])
+            path = np.vstack([path, beside(self._ways[leg], path[-1])])
+        return np.vstack([path, beside(down, path[-1])])
 
     def _nearest(self, points: Array) -> NDArray[np.int64]:
-        return np.asarray(_apart(points[:, None], self.peaks[None]).argmin(-1))
+        return np.asarray(
+            separation(points[:, None], self.peaks[None]).max(-1).argmin(-1)
+        )
 
     def _legs(self, i: int, j: int) -> list[tuple[int, int]]:
         """The ways that lead from peak i to peak j."""
@@ -125,18 +110,9 @@ class Ridge:
         return [(i, j)] if middle < 0 else self._legs(i, middle) + self._legs(middle, j)
 
 
-def _hessian(h: TorusDeterminant, points: Array, step: float = 1e-5) -> Array:
-    columns = [
-        (h.gradient(points + e) - h.gradient(points - e)) / (2 * step)
-        for e in step * np.eye(4)
-    ]
-    result = np.stack(columns, -1)
-    return np.asarray((result + np.swapaxes(result, -1, -2)) / 2)
-
-
 def _steepest(h: TorusDeterminant, sign: float, points: Array) -> tuple[Array, Array]:
     """The largest eigenvalue of the Hessian of s h, and its unit eigenvector."""
-    values, vectors = np.linalg.eigh(sign * _hessian(h, points))
+    values, vectors = np.linalg.eigh(sign * h.hessian(points))
     return values[..., -1], vectors[..., -1]
 
 
@@ -155,16 +131,6 @@ def _distinct(points: Array, most: int) -> Array:
     for point in points:
         if len(kept) == most:
             break
-        if not kept or _apart(np.array(kept), point).min() > _EQUAL:
+        if not kept or separation(np.array(kept), point).max(-1).min() > _EQUAL:
             kept.append(point)
     return np.array(kept).reshape(-1, 4)
-
-
-def _apart(a: Array, b: Array) -> Array:
-    """The largest difference of an angle, modulo 2 pi."""
-    return np.asarray(np.abs(np.remainder(a - b + np.pi, 2 * np.pi) - np.pi).max(-1))
-
-
-def _from(point: Array, way: Array) -> Array:
-    """The way, moved by whole turns to begin next to ``point``."""
-    return np.asarray(way + 2 * np.pi * np.round((point - way[0]) / (2 * np.pi)))

@@ -22,11 +22,8 @@ import networkx as nx
 import numpy as np
 from numpy.typing import NDArray
 
-from cuspaudit.geometry.torus.critical import (
-    ascents,
-    critical_points,
-    shortest_turn,
-)
+from cuspaudit.algebra.angles import beside, separation
+from cuspaudit.geometry.torus.critical import ascents, critical_points
 from cuspaudit.geometry.torus.function import TorusFunction
 
 __all__ = ["Merge", "TorusRouting", "WidestPath", "torus_routing"]
@@ -230,7 +227,7 @@ def _graph(
 
 def _nearest(maxima: Array, point: Array) -> tuple[int, float]:
     """The number of the nearest maximum and how far it is, in rad."""
-    apart = np.abs(shortest_turn(maxima - point)).max(1)
+    apart = separation(maxima, point).max(1)
     return int(apart.argmin()), float(apart.min())
 
 
@@ -238,6 +235,5 @@ def _chain(pieces: list[Array]) -> Array:
     """Pieces joined end to start, each turned whole turns to lie next to the last."""
     points = [pieces[0]]
     for piece in pieces[1:]:
-        gap = piece[0] - points[-1][-1]
-        points.append(piece - 2 * np.pi * np.round(gap / (2 * np.pi)))
+        points.append(beside(piece, points[-1][-1]))
     return np.concatenate(points)

@@ -17,6 +17,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from cuspaudit.algebra.angles import separation, shortest_turn
 from cuspaudit.errors import UnableError
 from cuspaudit.kinematics.postures.arm import Arm, reversed_arm, rigid_inverse, turned
 from cuspaudit.kinematics.postures.moving import gap, moved, scaled_arm
@@ -177,7 +178,7 @@ class PostureSolver:
                 break
             step = np.linalg.pinv(jacobian, rcond=1e-12) @ gap(placed, poses)
             postures = postures + np.clip(step[..., 0], -0.3, 0.3)
-        return np.remainder(postures + np.pi, 2 * np.pi) - np.pi, error
+        return shortest_turn(postures), error
 
     def _frames(self, postures: Array) -> tuple[Array, Array]:
         """Poses and Jacobians, rows linear velocity of the tip, then angular."""
@@ -254,4 +255,4 @@ def _distinct(postures: Array) -> Array:
 
 
 def _distance(a: Array, b: Array) -> float:
-    return float(np.abs(np.remainder(a - b + np.pi, 2 * np.pi) - np.pi).max())
+    return float(separation(a, b).max())

@@ -10,9 +10,10 @@ import pytest
 from flint import arb
 from short_tables import arm, ask, with_wrist
 
+from cuspaudit.algebra.angles import separation
 from cuspaudit.algebra.numeric import NumericPolynomial
 from cuspaudit.auditing.search.pair_maxima import PROVED, PairRecord, pair_maxima
-from cuspaudit.auditing.search.pair_space import PairSpace, separation
+from cuspaudit.auditing.search.pair_space import PairSpace
 from cuspaudit.cuspidality.pair_decision import decide_pairs
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import UnableError
