@@ -39,7 +39,7 @@ def _when_open(file: str, name: str) -> Callable[[Case, Clock], Answer | None]:
     """The way ``name`` in ``file`` beside this one, for a case that is still open."""
 
     def decide(case: Case, clock: Clock) -> Answer | None:
-        if case.so_far is None or case.so_far.undecided is None:
+        if case.so_far is None or case.so_far.is_settled:
             return None
         module = import_module(f"cuspaudit.auditing.deciders.{file}")
         way: Callable[[Case, Clock], Answer | None] = getattr(module, name)
