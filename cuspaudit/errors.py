@@ -160,15 +160,16 @@ class NoAngleError(AssumptionError):
         joints: their names.
     """
 
-    def __init__(self, joints: tuple[str, ...], file: str = "") -> None:
-        """Say which axes would have to be parallel, and what to lock."""
+    def __init__(
+        self, joints: tuple[str, ...], file: str = "", advice: str = ""
+    ) -> None:
+        """Say which axes would have to be parallel, and what to do instead."""
         self.joints = joints
         super().__init__(
             (f"{file}: " if file else "")
             + "the tip has no angle, because neither all axes that turn are parallel "
             "(a SCARA), nor the last three, at right angles to the first (yaw and "
-            f"pitch); lock one of {', '.join(joints)} by --lock JOINT=VALUE, which "
-            "leaves the task position"
+            f"pitch){advice and '; '}{advice}"
         )
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
+from cuspaudit.auditing.advice import advice_on_degeneracy, advice_without_angle
 from cuspaudit.auditing.answer import Answer
 from cuspaudit.auditing.aspects import count_aspects
 from cuspaudit.auditing.case import HAIR_POSES, Case
@@ -24,12 +25,11 @@ from cuspaudit.errors import (
     NoAngleError,
     UnableError,
 )
-from cuspaudit.kinematics.exact_model import ExactModel, exact_model
-from cuspaudit.kinematics.neighbors import coincide, parallel
+from cuspaudit.kinematics.exact_model import exact_model
 from cuspaudit.robot.chain import Chain
 from cuspaudit.robot.robot import Robot
 from cuspaudit.robot.snapping import Snapped, snap
-from cuspaudit.robot.virtual_joint import with_virtual_joint, without_virtual_joint
+from cuspaudit.robot.virtual_joint import with_virtual_joint
 from cuspaudit.runtime.clock import Clock
 
 __all__ = ["Audit", "Options", "audit"]
@@ -82,24 +82,11 @@ def _decide(robot: Robot, case: Case, clock: Clock) -> Answer:
     try:
         return decide(case, clock)
     except NoAngleError as error:
-        raise NoAngleError(error.joints, robot.file) from None
-    except DegenerateMapError as error:
-        chain = without_virtual_joint(case.model.chain)
-        raise DegenerateMapError(
-            f"{robot.file}: {error}, so {chain.tip} never moves with the full freedom "
-            f"of the task {chain.task}; {_remedy(case.model)}"
-        ) from None
-
-
-def _remedy(model: ExactModel) -> str:
-    """What to ask instead of a task in which det J vanishes everywhere."""
-    *_, last, tool = model.chain.joints
-    if tool.is_virtual and parallel(model, 5) and coincide(model, 5):
-        return (
-            f"{last.name} turns about the tool axis itself: choose another axis of the "
-            f"tip, or lock it (--lock {last.name}=0), which leaves position-and-angle"
-        )
-    return "choose another tip (--tip), task or joint to lock"
+        advice = advice_without_angle(case.model)
+        raise NoAngleError(error.joints, robot.file, advice) from None
+    except DegenerateMapError:
+        said = advice_on_degeneracy(robot, case.model)
+        raise DegenerateMapError(f"{robot.file}: {said}") from None
 
 
 def _with_aspects(found: Answer, clock: Clock) -> Answer:

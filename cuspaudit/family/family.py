@@ -20,9 +20,9 @@ from cuspaudit.robot.chain import Angle
 from cuspaudit.robot.formats.dh.read import robot_from_table
 from cuspaudit.robot.numbers import format_angle, format_rational
 from cuspaudit.robot.place import Place
+from cuspaudit.robot.proposals import check_task
 from cuspaudit.robot.robot import Robot
 from cuspaudit.robot.tables import Table
-from cuspaudit.robot.task import check_task
 
 __all__ = ["Adaptive", "Family", "exact_text"]
 

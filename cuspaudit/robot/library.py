@@ -17,14 +17,15 @@ from typing import TYPE_CHECKING
 
 import cuspaudit
 from cuspaudit.errors import InvalidRobotError
-from cuspaudit.robot.chain import Angle
+from cuspaudit.robot.chain import Angle, Chain
 from cuspaudit.robot.descriptions import description_file, description_names
 from cuspaudit.robot.formats.read_robot import chains_in, read_robot
 from cuspaudit.robot.formats.registry import endings
 from cuspaudit.robot.numbers import format_angle, format_rational
 from cuspaudit.robot.place import listing, quoted
+from cuspaudit.robot.proposals import check_task
 from cuspaudit.robot.robot import Robot
-from cuspaudit.robot.task import check_task, default_task
+from cuspaudit.robot.task import default_task
 from cuspaudit.robot.task import lock as lock_joints
 
 if TYPE_CHECKING:
@@ -73,17 +74,37 @@ def open_robot(
         length_unit=length_unit,
     )
     if lock:
-        chain = lock_joints(robot.chain, lock)
-        if task is None:
-            chain = replace(chain, task=default_task(len(chain.joints)))
-        locked = {name: _written(value) for name, value in lock.items()}
-        notes = tuple(f"{name} is locked at {value}" for name, value in locked.items())
-        robot = replace(
-            robot, chain=chain, notes=robot.notes + notes, locked=locked, expect=None
-        )
+        robot = _locked(robot, lock, task)
     if square:
         check_task(robot.chain, robot.file)
     return robot
+
+
+def _locked(
+    robot: Robot, lock: Mapping[str, str | Angle | Fraction], task: str | None
+) -> Robot:
+    """The robot with joints held; without ``task`` its task is by their number."""
+    other = robot.other_convention
+    chain = _held(robot.chain, lock, task)
+    if other is not None:
+        other = replace(other, chain=_held(other.chain, lock, task))
+    locked = {name: _written(value) for name, value in lock.items()}
+    notes = tuple(f"{name} is locked at {value}" for name, value in locked.items())
+    return replace(
+        robot,
+        chain=chain,
+        notes=robot.notes + notes,
+        locked=locked,
+        expect=None,
+        other_convention=other,
+    )
+
+
+def _held(
+    chain: Chain, lock: Mapping[str, str | Angle | Fraction], task: str | None
+) -> Chain:
+    held = lock_joints(chain, lock)
+    return replace(held, task=default_task(len(held.joints))) if task is None else held
 
 
 def _written(value: str | Angle | Fraction) -> str:

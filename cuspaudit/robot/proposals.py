@@ -7,23 +7,62 @@ decides nothing; an audit tests det J exactly.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import shlex
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import combinations, islice
 
 import numpy as np
 
+from cuspaudit.errors import InvalidRobotError
 from cuspaudit.robot.chain import Angle, Chain, Task
 from cuspaudit.robot.frames import frames, jacobian
+from cuspaudit.robot.place import listing, quoted
 from cuspaudit.robot.snapping import snap
 from cuspaudit.robot.task import DIMENSIONS, default_task, lock
 
-__all__ = ["fitting_locks", "fitting_tasks", "is_regular"]
+__all__ = ["check_task", "fitting_locks", "fitting_tasks", "is_regular", "locks_named"]
 
 _POSTURES = 4
 _RANK = 1e-9
 _PARALLEL = 1e-9
 _MOST_TRIED = 200
+_TOO_FEW = "an arm of at least 3 joints is needed"
+_NO_REMEDY = "no other task and no joints to lock were found that leave it free to move"
+
+
+def check_task(chain: Chain, file: str | None = None) -> None:
+    """Check that the task has as many dimensions as the chain has joints.
+
+    Args:
+        chain: the chain, joints locked or not.
+        file: what the message begins with; by default the robot's name.
+
+    Raises:
+        InvalidRobotError: it has not; the message says what to ask or to lock.
+    """
+    joints, dimension = len(chain.joints), DIMENSIONS[chain.task]
+    if joints == dimension:
+        return
+    count = "1 joint" if joints == 1 else f"{joints} joints"
+    found = f"{count} for a {chain.task} task of {dimension} dimensions"
+    raise InvalidRobotError(
+        file=file or quoted(chain.name),
+        found=found,
+        expected=" or ".join(_remedies(chain))
+        or (_TOO_FEW if joints < 3 else _NO_REMEDY),
+    )
+
+
+def locks_named(locks: Sequence[tuple[str, ...]]) -> str:
+    """The options that lock the joints, for a message."""
+    if len(locks[0]) > 1:
+        words = (f"--lock {shlex.quote(f'{name}=0')}" for name in locks[0])
+        return f"give {' '.join(words)}"
+    names = [name for [name] in locks]
+    if len(names) == 1:
+        return f"give --lock {shlex.quote(f'{names[0]}=0')}"
+    return f"lock one of {listing(names)} by --lock JOINT=VALUE (each was tried at 0)"
 
 
 def fitting_tasks(chain: Chain) -> list[Task]:
@@ -40,22 +79,42 @@ def fitting_tasks(chain: Chain) -> list[Task]:
     return [task for task in names if _does(replace(snapped, task=task))]
 
 
-def fitting_locks(chain: Chain, count: int, most: int = 50) -> list[tuple[str, ...]]:
+def fitting_locks(
+    chain: Chain, count: int, most: int = 50, task: Task | None = None
+) -> list[tuple[str, ...]]:
     """The first ``most`` sets of ``count`` joints to lock at 0 that leave a task.
 
-    The task is the default one for the joints left.
+    Args:
+        chain: the chain.
+        count: how many joints to lock.
+        most: how many sets are wanted.
+        task: the task; by default the one for the joints left.
     """
     left = len(chain.joints) - count
     if left not in DIMENSIONS.values():
         return []
-    snapped = snap(chain)[0]
-    return list(islice(_locks(replace(snapped, task=default_task(left)), count), most))
+    held = replace(snap(chain)[0], task=task or default_task(left))
+    names = [joint.name for joint in chain.joints]
+    found = list(islice(_locks(held, count), most))
+    return sorted(found, key=lambda locked: [names.index(name) for name in locked])
 
 
 def is_regular(chain: Chain) -> bool:
     """Whether the snapped chain moves with the full freedom of its task somewhere."""
     fits = len(chain.joints) == DIMENSIONS[chain.task]
     return fits and _does(snap(chain)[0])
+
+
+def _remedies(chain: Chain) -> Iterator[str]:
+    """What makes the task of a chain square: another task, or joints to lock."""
+    joints, dimension = len(chain.joints), DIMENSIONS[chain.task]
+    tasks = fitting_tasks(chain)
+    if tasks:
+        yield f"give --task {tasks[0]}"
+    if joints > dimension:
+        locks = fitting_locks(chain, joints - dimension, task=chain.task)
+        if locks:
+            yield locks_named(locks)
 
 
 def _locks(chain: Chain, count: int) -> Iterator[tuple[str, ...]]:

@@ -9,10 +9,23 @@ from pathlib import Path
 from cuspaudit.robot.chain import Chain
 from cuspaudit.robot.place import Place, quoted
 
-__all__ = ["COUNTS", "VERDICTS", "Robot", "parse_expectation"]
+__all__ = ["COUNTS", "VERDICTS", "Reading", "Robot", "parse_expectation"]
 
 VERDICTS = ("cuspidal", "noncuspidal", "undecided")
 COUNTS = ("aspects", "max_postures", "cusps", "nodes")
+
+
+@dataclass(frozen=True, slots=True)
+class Reading:
+    """What the rows of a D-H table give in one convention.
+
+    Attributes:
+        convention: "standard" or "modified".
+        chain: the chain.
+    """
+
+    convention: str
+    chain: Chain
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,6 +42,8 @@ class Robot:
         urdf: the URDF file, when it came from one (its meshes can be drawn).
         notes: what the reader assumed, one sentence each.
         locked: joints that are held fixed in the chain, with their values as text.
+        other_convention: what the same D-H table gives in the other convention; None
+            where there is none.
     """
 
     name: str
@@ -40,6 +55,7 @@ class Robot:
     urdf: Path | None = None
     notes: tuple[str, ...] = ()
     locked: Mapping[str, str] = field(default_factory=dict)
+    other_convention: Reading | None = None
 
     def __repr__(self) -> str:
         """The robot in one short line."""

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import replace
 from fractions import Fraction
 
-from cuspaudit.errors import InvalidRobotError
 from cuspaudit.robot.axes import unit_axis
 from cuspaudit.robot.chain import (
     Angle,
@@ -26,7 +25,6 @@ from cuspaudit.robot.place import Place, listing, quoted
 __all__ = [
     "DIMENSIONS",
     "check_limits",
-    "check_task",
     "default_task",
     "lock",
     "parse_task",
@@ -61,40 +59,6 @@ def parse_task(text: str, place: Place) -> Task:
             return task
     found = f"the task {quoted(text)} is unknown"
     raise place.error(found, f"write one of {', '.join(DIMENSIONS)}")
-
-
-def check_task(chain: Chain, file: str | None = None) -> None:
-    """Check that the task has as many dimensions as the chain has joints.
-
-    Args:
-        chain: the chain, joints locked or not.
-        file: what the message begins with; by default the robot's name.
-
-    Raises:
-        InvalidRobotError: it has not; the message says what to lock.
-    """
-    joints, dimension = len(chain.joints), DIMENSIONS[chain.task]
-    if joints == dimension:
-        return
-    count = "1 joint" if joints == 1 else f"{joints} joints"
-    found = f"{count} for a {chain.task} task of {dimension} dimensions"
-    raise InvalidRobotError(
-        file=file or quoted(chain.name),
-        found=found,
-        expected=" or ".join(_remedies(chain)),
-    )
-
-
-def _remedies(chain: Chain) -> Iterator[str]:
-    """What makes the task of a chain square: another task, or joints to lock."""
-    joints, dimension = len(chain.joints), DIMENSIONS[chain.task]
-    if joints in DIMENSIONS.values():
-        yield f"give --task {default_task(joints)}"
-    if joints > dimension:
-        names = listing([joint.name for joint in chain.joints])
-        yield f"lock {joints - dimension} of {names} by --lock JOINT=VALUE"
-    if joints < 3:
-        yield "an arm of at least 3 moving joints is needed; choose another tip"
 
 
 def check_limits(chain: Chain, place: Place) -> list[str]:

@@ -92,7 +92,7 @@ def test_xacro_is_not_expanded() -> None:
 
 def test_locking_makes_a_chain_square() -> None:
     """Joints are locked before the task is checked; the record no longer applies."""
-    with pytest.raises(InvalidRobotError, match="lock 1 of"):
+    with pytest.raises(InvalidRobotError, match="lock one of"):
         open_robot("xarm7")
     robot = open_robot("xarm7", lock={"joint3": "30 deg"})
     assert len(robot.chain.joints) == 6

@@ -9,9 +9,9 @@ from cuspaudit.errors import CuspauditError, NoAngleError
 from cuspaudit.kinematics.exact_model import exact_model
 from cuspaudit.kinematics.polynomial_map import place
 from cuspaudit.robot.formats.read_robot import read_robot
+from cuspaudit.robot.proposals import check_task
 from cuspaudit.robot.robot import Robot
 from cuspaudit.robot.snapping import snap
-from cuspaudit.robot.task import check_task
 
 LATER = {
     "rpy_arbitrary.urdf": "the exact model states its rational point of the circle",

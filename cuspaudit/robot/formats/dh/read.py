@@ -18,6 +18,7 @@ frame that ``before`` ends in.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
 
@@ -38,7 +39,7 @@ from cuspaudit.robot.formats.dh.settings import Convention, Given, Settings, set
 from cuspaudit.robot.formats.motion_text import parse_motions
 from cuspaudit.robot.frames import angle_value
 from cuspaudit.robot.place import Place, listing
-from cuspaudit.robot.robot import Robot, parse_expectation
+from cuspaudit.robot.robot import Reading, Robot, parse_expectation
 from cuspaudit.robot.tables import Table
 from cuspaudit.robot.task import check_limits, default_task, parse_task
 
@@ -97,6 +98,8 @@ def robot_from_table(
     chosen = settings(table, stated, given or Given(), place)
     rows = parse_rows(table.rows, chosen.angle_unit, place)
     chain = _chain(head, rows, chosen, path, task)
+    modified = chosen.convention == "modified"
+    other = replace(chosen, convention="standard" if modified else "modified")
     notes = [*_settings_notes(chosen, stated), *_type_notes(rows), *_notes(rows)]
     return Robot(
         name=chain.name,
@@ -106,6 +109,9 @@ def robot_from_table(
         source=word(head, "source", place) or "",
         expect=_expectation(head, place),
         notes=(*notes, *check_limits(chain, place)),
+        other_convention=Reading(
+            other.convention, _chain(head, rows, other, path, task)
+        ),
     )
 
 

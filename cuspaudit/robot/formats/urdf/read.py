@@ -22,7 +22,7 @@ from cuspaudit.robot.place import Place, quoted
 from cuspaudit.robot.robot import Robot
 from cuspaudit.robot.task import check_limits, default_task, parse_task
 
-__all__ = ["read_urdf", "urdf_candidates"]
+__all__ = ["links_beside", "read_urdf", "urdf_candidates"]
 
 _KINDS: dict[str, JointKind] = {
     "revolute": "revolute",
@@ -76,6 +76,20 @@ def urdf_candidates(
     base = base or tree.choose_base(None, [])
     tree.check_link(base)
     return candidates(tree, _builder(tree, name, None), base, most)
+
+
+def links_beside(path: Path, tip: str) -> list[str]:
+    """The other links that fixed joints hold to the link ``tip`` of a URDF.
+
+    Raises:
+        InvalidRobotError: the file is not a URDF, or has no such link.
+    """
+    tree, _ = _opened(path)
+    tree.check_link(tip)
+    top = tip
+    while top in tree.above and tree.above[top].kind == "fixed":
+        top = tree.above[top].parent
+    return [link for link in tree.body(top) if link != tip]
 
 
 def _opened(path: Path) -> tuple[Tree[JointElement], str]:
