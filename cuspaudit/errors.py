@@ -19,6 +19,7 @@
         RealPartSingularError
       RetryableError           an unlucky choice: another chart, or more bits, may do
         PrecisionError
+      SetUpError               a program that is needed is not installed
       UnableError              our limit, not mathematics: too large, too long
         TimeLimitError         the time that was given has passed
       CrossCheckError          exact and numeric answers disagree: one has a bug
@@ -51,6 +52,7 @@ __all__ = [
     "PrecisionError",
     "RealPartSingularError",
     "RetryableError",
+    "SetUpError",
     "TimeLimitError",
     "UnableError",
     "UnsupportedJointError",
@@ -237,6 +239,17 @@ class RealPartSingularError(AssumptionError):
         super().__init__(
             f"V, of dimension {dimension} in C^n, has no regular real point"
         )
+
+
+class SetUpError(CuspauditError):
+    """A program that this run needs is not installed, or does not work.
+
+    It says nothing of the input, so no search takes it for a limit of its own.
+    """
+
+    def __init__(self, found: str, remedy: str) -> None:
+        """Say what is missing, and what to type."""
+        super().__init__(f"{found}; {remedy}")
 
 
 class RetryableError(CuspauditError):

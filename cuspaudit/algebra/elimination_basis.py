@@ -38,7 +38,7 @@ def propose_elimination(
         seed: of msolve's random choices.
 
     Raises:
-        UnableError: msolve is missing, fails or takes too long.
+        UnableError: msolve fails or takes too long.
     """
     options = ("-e", str(eliminated), "-g", "2")
     answer = run_msolve(msolve_text(ring, polynomials), options, timeout, seed)

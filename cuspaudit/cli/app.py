@@ -27,6 +27,7 @@ _COMMANDS = (
     ("import", "import_", "import_", "ur5_robot --to msolve > ik.ms"),
     ("check", "check", "check", "robots/ -j 2 --junit report.xml"),
     ("trace", "trace", "trace", "crx.urdf --tip tool0 weld.csv --json trace.json"),
+    ("setup", "setup", "setup", ""),
     ("sweep", "families", "sweep", "family.yaml -o table -j 2"),
 )
 
@@ -49,7 +50,9 @@ def app_for(arguments: Sequence[str]) -> typer.Typer:
     asked = [entry for entry in _COMMANDS if entry[0] == first]
     for name, file, function, example in asked or _COMMANDS:
         command = getattr(import_module(f"cuspaudit.cli.{file}"), function)
-        app.command(name, epilog=f"Example: cuspaudit {name} {example}")(command)
+        app.command(name, epilog=f"Example: cuspaudit {name} {example}".rstrip())(
+            command
+        )
     return app
 
 
