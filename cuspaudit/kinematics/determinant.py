@@ -26,7 +26,7 @@ def jacobian_determinant(model: ExactModel) -> Polynomial:
     `kinematics.common_direction` finds one); columns are the joints. The determinant
     does not depend on the base frame, nor (pose) on the point of the tip body that is
     followed, so the screws are written in a frame in the middle of the chain, where
-    each depends on few joints [DESIGN 9].
+    each depends on few joints [mathematics 9].
 
     Raises:
         UnableError: the number of joints is not the dimension of the task.

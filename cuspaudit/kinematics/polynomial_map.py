@@ -45,7 +45,7 @@ class KinematicMap:
 
 @fact
 def polynomial_map(model: ExactModel) -> KinematicMap:
-    """V and the pose of the tip as polynomials on it [DESIGN 3]."""
+    """V and the pose of the tip as polynomials on it [mathematics 3]."""
     ring = model.ring
     placed = None
     for joint in model.joints:
@@ -97,7 +97,7 @@ def reduce_circles(
 
 @fact
 def reduced_map(model: ExactModel) -> tuple[PolynomialSystem, PolynomialMap]:
-    """The plane map that decides a three-joint position task [DESIGN 5].
+    """The plane map that decides a three-joint position task [mathematics 5].
 
     The first joint drops out. If it is revolute with axis z1 and the tip is at p from
     a point of that axis, the arm is cuspidal if and only if (|p|^2, z1 . p) is, as a

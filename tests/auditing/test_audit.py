@@ -25,7 +25,7 @@ from cuspaudit.robot.library import open_robot
 from cuspaudit.robot.robot import Robot
 
 module = import_module("cuspaudit.auditing.deciders.certify")
-#: the keys of INTERFACE, "The audit as JSON"; each is always there
+#: the keys of the audit as JSON; each is always there
 KEYS: dict[str, set[str]] = {
     "": {
         *("schema", "robot", "verdict", "proof", "aspects", "postures", "singular"),
@@ -66,7 +66,7 @@ def robot_of(
 
 @pytest.mark.parametrize("name", NAMES)
 def test_every_key_is_there(audits: dict[str, Audit], name: str) -> None:
-    """The keys of INTERFACE are present, null where they do not apply."""
+    """The documented keys are present, null where they do not apply."""
     record = audits[name].record()
     assert set(record) == KEYS[""]
     for key, wanted in KEYS.items():

@@ -1,7 +1,7 @@
 """Certificates of known cuspidal arms, made with nothing but floats and Newton.
 
-The numbers are those of FACTS.md and known-robots.jsonl, where each couple's straight
-segment is said to be nonsingular. `kinematics` below is a second, independent
+The numbers are published [facts], and each couple's straight segment is said to be
+nonsingular. `kinematics` below is a second, independent
 description of the arm (matrices of floats), to compare the ball arithmetic with.
 """
 
@@ -206,7 +206,7 @@ def sliding() -> PathCertificate:
 
 @cache
 def jaco_gen2() -> PathCertificate:
-    """Kinova JACO Gen2 (FACTS.md, erratum 2), couple 6, 7."""
+    """Kinova JACO Gen2 [facts, erratum 2], couple 6, 7."""
     robot = from_dh(
         [0, 0.41, 0, 0, 0, 0],
         [0.212, 0, -0.012, -0.2493, -0.0846, -0.22273],

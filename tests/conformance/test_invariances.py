@@ -1,4 +1,4 @@
-"""Changes of frame, scale and notation that change no answer [FACTS, first lines]."""
+"""Changes of frame, scale and notation that change no answer [facts]."""
 
 from __future__ import annotations
 

@@ -94,7 +94,7 @@ PUBLISHED = {
 
 @pytest.mark.parametrize("name", PUBLISHED)
 def test_published_arms(name: str) -> None:
-    """Verdict, aspects, postures, cusps and nodes are those of FACTS.md."""
+    """Verdict, aspects, postures, cusps and nodes are those of docs/facts.md."""
     a, d, alpha, expected = PUBLISHED[name]
     found = numbers(ask(arm(a, d, alpha)))
     for value, wanted in zip(found, expected, strict=True):
@@ -200,7 +200,7 @@ def surfaces(a2: float, d2: float) -> dict[str, float]:
 
 
 def closed_form(a2: float, a3: float, d2: float) -> tuple[object, ...]:
-    """(verdict, aspects, postures, cusps, nodes) by the table of FACTS.md."""
+    """(verdict, aspects, postures, cusps, nodes) by the table of docs/facts.md."""
     at = surfaces(a2, d2)
     if a3 < at["C1"]:
         zone, cusps, postures, nodes = 1, 0, 2, 0
@@ -342,7 +342,7 @@ def check_generic_theorem(chain: Chain) -> None:
 
 
 def check_parity(found: Answer) -> None:
-    """As many postures have det J > 0 as < 0 (FACTS, erratum 9)."""
+    """As many postures have det J > 0 as < 0 [facts, erratum 9]."""
     assert found.decision is not None
     for fiber in found.decision.samples:
         signs = [vertex[1] for vertex in found.decision.graph.vert(fiber)]

@@ -108,7 +108,7 @@ def test_triangular_maps_need_no_pairs() -> None:
 
 
 def test_an_arm_out_of_reach_of_sample_values() -> None:
-    """Neither coordinate tells its postures apart; axes 1 and 2 meet [FACTS]."""
+    """Neither coordinate tells its postures apart; axes 1 and 2 meet [facts]."""
     arm = arm_map((0, "7/2", "19/5"), (0, 0, "7/10"), (90, 90, 0))
     with pytest.raises(UnableError):
         decided(arm)

@@ -52,7 +52,7 @@ def run(system: PolynomialSystem, *components: object) -> SurfaceDecision:
 
 @pytest.mark.parametrize("name", BY_HAND)
 def test_maps_of_the_plane(name: str) -> None:
-    """The verdict, aspects and postures found by hand [DESIGN 4]."""
+    """The verdict, aspects and postures found by hand [mathematics 4]."""
     mapping, verdict, aspects, postures = BY_HAND[name]
     found = run(PLANE, *mapping)
     assert found.verdict.value == verdict

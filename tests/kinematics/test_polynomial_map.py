@@ -121,7 +121,7 @@ def test_det_j_of_six_joints(name: str) -> None:
 
 
 def test_det_j_of_the_crx_is_small() -> None:
-    """Eight terms for a FANUC CRX-10iA/L [DESIGN 6]."""
+    """Eight terms for a FANUC CRX-10iA/L [mathematics 6]."""
     assert len(jacobian_determinant(exact_model(arm(*SIX["CRX-10iA/L"])))) == 8
 
 
@@ -139,7 +139,7 @@ def test_det_j_of_a_wrist_is_a_product() -> None:
 
 @pytest.mark.parametrize("name", [n for n in ARMS if n != "PPP"])
 def test_the_reduced_map_has_the_same_singularities(name: str) -> None:
-    """Its Jacobian determinant is det J times a constant [DESIGN 5]."""
+    """Its Jacobian determinant is det J times a constant [mathematics 5]."""
     model = model_of(name)
     variety, mapping = reduced_map(model)
     surface = Surface(variety.ring, *product_factors(variety))

@@ -1,6 +1,6 @@
 """The exact model against Pinocchio: no verdict is given where they disagree.
 
-Three comparisons [DESIGN 3, 9]: pose and det J at random postures; loss of rank at
+Three comparisons [mathematics 3, 9]: pose and det J at random postures; loss of rank at
 postures computed on det J = 0; no loss of rank along a witness path. Lengths are
 divided by the reach L of the arm. An exact model that replaces angles or axes by
 rational points records by how much; the sum e of these differences (rad) moves no

@@ -1,4 +1,4 @@
-"""Four, five or six joints: a theorem decides, or leads to three [DESIGN 6.1]."""
+"""Four, five or six joints: a theorem decides, or leads to three [mathematics 6.1]."""
 
 from __future__ import annotations
 

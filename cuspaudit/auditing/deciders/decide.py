@@ -46,7 +46,7 @@ def answer(
         progress: called with the name of each step before it runs.
         engine: "routing" has the verdict of Algorithm 1 found again by the second
             route to connectivity; without its agreement there is none. "pairs"
-            decides three joints by their pairs of postures [DESIGN 6.4].
+            decides three joints by their pairs of postures [mathematics 6.4].
 
     Raises:
         AssumptionError: a hypothesis fails for this arm (det J vanishes identically,

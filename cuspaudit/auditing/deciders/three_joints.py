@@ -30,7 +30,7 @@ _BY_PAIRS = ("FLINT resultants", "FLINT root isolation", "ball arithmetic")
 
 
 def by_sample_values(case: Case, clock: Clock) -> Answer | None:
-    """Algorithm 1: the postures of a value in every cell, by their aspects [DESIGN 5].
+    """Algorithm 1: postures of a value in every cell, by their aspects [mathematics 5].
 
     With the engine "routing" the second route to connectivity has to agree; without
     its agreement there is no verdict.
@@ -106,7 +106,7 @@ def _sentence(decision: SurfaceDecision) -> str:
 
 
 def by_all_pairs(case: Case, clock: Clock) -> Answer | None:
-    """A pair of postures from every component of pairs [DESIGN 6.4].
+    """A pair of postures from every component of pairs [mathematics 6.4].
 
     Asked by the engine "pairs", and where sample values were out of reach.
 

@@ -1,4 +1,4 @@
-"""Pairs of postures of one pose as evidence, and a way to witnesses [DESIGN 6.4].
+"""Pairs of postures of one pose as evidence, and a way to witnesses [mathematics 6.4].
 
 An arm of a compact task is noncuspidal if and only if no local maximum of |h h'| over
 its pairs has both ends in one aspect. The maxima are looked for by ascents from seeded

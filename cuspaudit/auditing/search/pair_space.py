@@ -1,4 +1,4 @@
-"""Pairs of postures of one pose, and the height |h h'| on them [DESIGN 6.4].
+"""Pairs of postures of one pose, and the height |h h'| on them [mathematics 6.4].
 
 W = {(q, q') : R(q) = R(q'), q != q', h(q) h(q') != 0}, h = det J, is a manifold: q may
 move freely and q' follows by dq' = B dq, B = J(q')^-1 J(q). Its components stand apart

@@ -1,4 +1,4 @@
-"""The search for a witness of a six-joint arm, in floating point [DESIGN 6.2, 7].
+"""The search for a witness of a six-joint arm, in floating point [mathematics 6.2, 7].
 
 Seeded random postures give poses that are reached for certain; all postures of each
 pose are solved numerically; two of them with one sign of det J are a candidate couple.

@@ -2,10 +2,11 @@
 
 det J does not depend on the first and the last joint. In the link between joints 3 and
 4 it is a sum of products of a 3x3 minor of the screws of joints 1, 2, 3 and one of
-those of joints 4, 5, 6 [DESIGN 9]. Carried there, the screw of joint 3 is constant,
-that of joint 2 has degree 1 in (c_3, s_3), that of joint 1 degree 1 in (c_2, s_2) and
-in (c_3, s_3); so a minor has degree at most (1, 2) in joints 2, 3, and the other half
-(2, 1) in joints 4, 5. The values on a grid of 3 x 5 x 5 x 3 angles determine it.
+those of joints 4, 5, 6 [mathematics 9]. Carried there, the screw of joint 3 is
+constant, that of joint 2 has degree 1 in (c_3, s_3), that of joint 1 degree 1 in (c_2,
+s_2) and in (c_3, s_3); so a minor has degree at most (1, 2) in joints 2, 3, and the
+other half (2, 1) in joints 4, 5. The values on a grid of 3 x 5 x 5 x 3 angles determine
+it.
 """
 
 from __future__ import annotations

@@ -2,7 +2,7 @@
 
 Two maxima of one sign are joined by the two ascents from a pass, a critical point of h
 with a direction in which |h| rises both ways; its height is the clearance of that way
-[DESIGN 4, routing]. The critical points are those of `critical_sheets`: where two
+[mathematics 4, routing]. The critical points are those of `critical_sheets`: where two
 factors of h nearly vanish together there is a whole sheet of passes, as low as the
 arm's numbers are off the ones for which h would factor.
 

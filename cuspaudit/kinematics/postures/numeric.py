@@ -6,7 +6,7 @@ method settles each posture. Any number of poses is solved in one call of the ke
 
 Nothing is decided here. A lost posture can be noticed: a regular pose has as many
 postures with det J > 0 as with det J < 0, because the map from the compact torus to
-the connected group of motions has degree 0 (it is not onto) [FACTS, erratum 9].
+the connected group of motions has degree 0 (it is not onto) [facts, erratum 9].
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""The theorems that decide an arm, or lead to a smaller one [DESIGN 6.1].
+"""The theorems that decide an arm, or lead to a smaller one [mathematics 6.1].
 
 To add one: a file beside this one, with its proof, and a line here.
 """

@@ -1,4 +1,4 @@
-"""System files are read as INTERFACE has them, and refused with a reason."""
+"""System files are read as they are documented, and refused with a reason."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import pytest
 from cuspaudit.auditing.systems.file import read_system
 from cuspaudit.errors import InvalidSystemError
 
-INTERFACE = """\
+DOCUMENTED = """\
 variables: [c2, s2, c3, s3]
 equations: ["c2^2 + s2^2 - 1", "c3^2 + s3^2 - 1"]     # f; may be empty
 map: ["(c2*(3*c3+4)/2 + 1)^2 + (3*s3+2)^2/4", "-s2*(3*c3+4)/2"]   # R
@@ -17,9 +17,9 @@ map: ["(c2*(3*c3+4)/2 + 1)^2 + (3*s3+2)^2/4", "-s2*(3*c3+4)/2"]   # R
 
 
 def test_the_example_of_the_interface(tmp_path: Path) -> None:
-    """The ISSAC arm of INTERFACE.md is two circles and a map to the plane."""
+    """The documented example, the ISSAC arm, is two circles and a map to the plane."""
     file = tmp_path / "issac.yaml"
-    file.write_text(INTERFACE)
+    file.write_text(DOCUMENTED)
     system = read_system(file)
     assert system.name == "issac"
     assert system.variety.ring.variables == ("c2", "s2", "c3", "s3")

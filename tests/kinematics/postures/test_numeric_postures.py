@@ -93,7 +93,7 @@ def test_determinants_are_those_of_the_jacobian() -> None:
 
 
 def test_the_published_pose_of_the_jaco_has_twelve_postures() -> None:
-    """JACO Gen2 at the pose of FACTS: exactly 12 postures, 6 of each sign."""
+    """JACO Gen2 at a published pose [facts]: exactly 12 postures, 6 of each sign."""
     chain = chain_of("kinova-jaco-gen2")
     found = solved(chain, JACO)
     signs = np.sign(PostureSolver.of(chain).determinants(found))
@@ -103,12 +103,12 @@ def test_the_published_pose_of_the_jaco_has_twelve_postures() -> None:
 
 @pytest.mark.parametrize(("posture", "count"), RAGHAVAN_ROTH)
 def test_the_poses_of_raghavan_and_roth(posture: tuple[float, ...], count: int) -> None:
-    """The two joint vectors of FACTS have 6 and 4 postures."""
+    """Two published joint vectors have 6 and 4 postures [facts]."""
     assert len(solved(chain_of("raghavan-roth"), posture)) == count
 
 
 def test_the_hyperplane_pose_has_two_postures() -> None:
-    """The exact pose of the robot "hyperplane" in FACTS has exactly 2 postures."""
+    """The exact pose of the robot "hyperplane" has exactly 2 postures [facts]."""
     assert len(solved(chain_of("hyperplane-6r"), HYPERPLANE)) == 2
 
 
