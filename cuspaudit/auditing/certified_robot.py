@@ -2,13 +2,19 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
 from typing import TypedDict
+
+import numpy as np
 
 from cuspaudit import __version__
 from cuspaudit.certificate import CertifiedJoint, Rotate, Task, Translate
 from cuspaudit.robot.chain import Chain, Motion, Translation
+from cuspaudit.robot.frames import jacobian
 
-__all__ = ["CertifiedRobot", "certified_robot"]
+__all__ = ["CertifiedRobot", "certified_robot", "regular_posture"]
+
+_POSTURES = 32
 
 
 class CertifiedRobot(TypedDict):
@@ -52,3 +58,14 @@ def _moves(motions: tuple[Motion, ...]) -> tuple[Translate | Rotate, ...]:
         else Rotate(motion.axis, motion.angle.half_turns, motion.angle.radians)
         for motion in motions
     )
+
+
+def regular_posture(chain: Chain) -> tuple[Fraction, ...]:
+    """The posture of the largest |det J|, of some spread over the joint space."""
+    size = len(chain.joints)
+    postures = [
+        [((7 * k + 5) * (11 * n + 3) ** 2 % 61 - 30) / 10 for k in range(size)]
+        for n in range(_POSTURES)
+    ]
+    best = max(postures, key=lambda q: abs(float(np.linalg.det(jacobian(chain, q)))))
+    return tuple(Fraction(str(value)) for value in best)

@@ -10,14 +10,10 @@ follow from its exact numbers has none.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from fractions import Fraction
 
-import numpy as np
-
-from cuspaudit.auditing.certified_robot import certified_robot
+from cuspaudit.auditing.certified_robot import certified_robot, regular_posture
 from cuspaudit.certificate import Relation, StructureCertificate, Word, verify
 from cuspaudit.robot.chain import Chain
-from cuspaudit.robot.frames import jacobian
 
 __all__ = ["structure_certificate"]
 
@@ -27,7 +23,6 @@ _PLACES = (
     *(((1, 2, 3), (5, 6)), ((2, 3, 4), (5, 6)), ((3, 4, 5), (1, 2))),
 )
 """Where three axes in a row and two others can stand among six."""
-_POSTURES = 32
 
 
 def structure_certificate(chain: Chain, first: str = "") -> StructureCertificate | None:
@@ -37,7 +32,7 @@ def structure_certificate(chain: Chain, first: str = "") -> StructureCertificate
         chain: of three, four or six joints, its virtual joint included.
         first: name of the theorem to be tried first.
     """
-    robot, regular = certified_robot(chain), _regular(chain)
+    robot, regular = certified_robot(chain), regular_posture(chain)
     proposals = sorted(_proposals(chain), key=lambda each: each[0] != first)
     for theorem, relations in proposals:
         certificate = StructureCertificate(
@@ -54,6 +49,7 @@ def _proposals(chain: Chain) -> Iterator[tuple[str, tuple[Relation, ...]]]:
         for axes in ((2, 3), (1, 2)):
             for word in _WORDS:
                 yield "pair of axes", (Relation(axes, word),)
+        yield "no offset", (Relation((1, 2, 3), "level"),)
     elif chain.task == "position-and-angle":
         turning = [k for k, kind in enumerate(chain.kinds, 1) if kind == "revolute"]
         yield "parallel axes", (Relation(tuple(turning), "parallel"),)
@@ -75,19 +71,10 @@ def _of_six_joints() -> Iterator[tuple[str, tuple[Relation, ...]]]:
             if triple in points:
                 meeting = Relation(triple, "meeting")
                 yield points[triple], (meeting, Relation(pair, word))
+    for triple, rest in (((4, 5, 6), (1, 2, 3)), ((1, 2, 3), (4, 5, 6))):
+        yield points[triple], (Relation(triple, "meeting"), Relation(rest, "level"))
     for triple, pair in _PLACES:
         for word in _WORDS:
             for other in _WORDS:
                 relations = Relation(triple, word), Relation(pair, other)
                 yield "triple and pair", relations
-
-
-def _regular(chain: Chain) -> tuple[Fraction, ...]:
-    """The posture of the largest |det J|, of some spread over the joint space."""
-    size = len(chain.joints)
-    postures = [
-        [((7 * k + 5) * (11 * n + 3) ** 2 % 61 - 30) / 10 for k in range(size)]
-        for n in range(_POSTURES)
-    ]
-    best = max(postures, key=lambda q: abs(float(np.linalg.det(jacobian(chain, q)))))
-    return tuple(Fraction(str(value)) for value in best)

@@ -12,6 +12,10 @@ parallel    u x v = 0
 square      u . v = 0
 in a plane  p . (u x v) = 0: the lines meet or are parallel
 
+Three axes i, i + 1, i + 2 are level when both pairs are square and the outer two lie
+in one plane across axis i + 1: with n along it, the way from a point of axis i to one
+of axis i + 2 has no part along n. (Joint i + 1 turns, and moves nothing along n.)
+
 Three axes i, i + 1, i + 2 meet in one point when both pairs do, and both in the same
 point of axis i + 1: with a its direction, b that of another and q a point of the other,
 x a = q + mu b gives x = (q x b) . N / N . N with N = a x b, and the two quotients are
@@ -42,7 +46,7 @@ from cuspaudit.certificate.model import (
 )
 from cuspaudit.certificate.motions import frame_from_motions
 
-__all__ = ["are_parallel", "are_square", "meet_in_one_point"]
+__all__ = ["are_level", "are_parallel", "are_square", "meet_in_one_point"]
 
 Column = tuple[ExponentialSum, ExponentialSum, ExponentialSum]
 
@@ -92,6 +96,16 @@ def meet_in_one_point(certificate: Certificate, first: int, last: int) -> bool:
     above, below = _crossing(before.v, before.u, _minus(before.p))
     top, bottom = _crossing(after.u, after.v, after.p)
     return _vanishes(above * bottom - top * below)
+
+
+def are_level(certificate: Certificate, first: int) -> bool:
+    """Whether axes ``first`` and ``first`` + 2 lie in a plane across the middle one."""
+    if not are_square(certificate, first) or not are_square(certificate, first + 1):
+        return False
+    before, after = _neighbours(certificate, first), _neighbours(certificate, first + 1)
+    # each in the frame of the pair's first axis: v and u both run along the middle one
+    here, there = _dot(before.p, before.v), _dot(after.p, after.u)
+    return _vanishes(here + there)
 
 
 @dataclass(frozen=True)

@@ -2,8 +2,8 @@
 
 `verify` proves in ball arithmetic of python-flint, and with nothing of the code that
 searched, what a certificate claims of its robot; each kind has a module that proves it
-(`path_proof`, `cusp_proof`, `structure_proof`). A certificate that is not accepted
-proves nothing about the robot.
+(`path_proof`, `cusp_proof`, `pairs_proof`, `structure_proof`). A certificate that is
+not accepted proves nothing about the robot.
 """
 
 from __future__ import annotations
@@ -17,10 +17,12 @@ from cuspaudit.certificate.cusp_proof import CuspProof
 from cuspaudit.certificate.model import (
     Certificate,
     CuspCertificate,
+    PairsCertificate,
     PathCertificate,
     StructureCertificate,
     check_certificate,
 )
+from cuspaudit.certificate.pairs_proof import PairsProof
 from cuspaudit.certificate.path_proof import PathProof
 from cuspaudit.certificate.structure_proof import StructureProof
 
@@ -35,8 +37,8 @@ class Verification:
         accepted: whether the claim is proved.
         claim: what the certificate says of its robot.
         reason: one sentence: what was proved, or the first step that failed.
-        boxes: number of boxes that the path was cut into, up to the failure; 0 without
-            a path.
+        boxes: number of boxes that the path, or the pairs, were cut into, up to the
+            failure; 0 without boxes.
         smallest: proved lower bound of sign det J on the path and on the end box, at
             least a quarter of the true minimum on the path; of a structure, of |det J|
             at the regular posture; of a cusp, of |k . grad(k . grad det J)|; None if
@@ -66,6 +68,9 @@ class Verification:
         return asdict(self)
 
 
+_Proof = PathProof | CuspProof | PairsProof | StructureProof
+
+
 def verify(certificate: Certificate) -> Verification:
     """Prove or refuse ``certificate``.
 
@@ -88,28 +93,39 @@ def verify(certificate: Certificate) -> Verification:
     except Refusal as refusal:
         smallest, reason = None, str(refusal)
     path = proof if isinstance(proof, PathProof) else None
-    radius = None if isinstance(proof, StructureProof) else proof.radius
+    is_no = isinstance(proof, StructureProof | PairsProof)
     return Verification(
         accepted=smallest is not None,
-        claim="noncuspidal" if isinstance(proof, StructureProof) else "cuspidal",
+        claim="noncuspidal" if is_no else "cuspidal",
         reason=reason,
-        boxes=0 if path is None else path.cover.boxes,
+        boxes=_boxes(proof),
         smallest=smallest,
-        radius=radius,
+        radius=proof.radius if isinstance(proof, PathProof | CuspProof) else None,
         bits=proof.bits if path is None else max(path.bits, path.cover.bits),
         seconds=time.perf_counter() - start,
     )
 
 
-def _proof(certificate: Certificate) -> PathProof | CuspProof | StructureProof:
+def _proof(certificate: Certificate) -> _Proof:
     match certificate:
         case PathCertificate():
             return PathProof(certificate, Cover(certificate))
         case CuspCertificate():
             return CuspProof(certificate)
+        case PairsCertificate():
+            return PairsProof(certificate)
         case StructureCertificate():
             return StructureProof(certificate)
     raise TypeError(f"no kind of certificate: {type(certificate).__name__}")
+
+
+def _boxes(proof: _Proof) -> int:
+    match proof:
+        case PathProof():
+            return proof.cover.boxes
+        case PairsProof():
+            return proof.boxes
+    return 0
 
 
 def _check_claim(certificate: Certificate) -> None:

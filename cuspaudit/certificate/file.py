@@ -3,7 +3,7 @@
 ::
 
     {"schema": "cuspaudit/certificate/2",
-     "kind": "path" | "cusp" | "structure",
+     "kind": "path" | "cusp" | "pairs" | "structure",
      "robot": {"name": "...", "unit": "m",
        "task": "position" | "position-and-angle" | "position-and-axis" | "pose",
        "joints": [{"name": "...", "type": "revolute" | "prismatic",
@@ -19,6 +19,8 @@
           "postures": [["0.1", ...], ["...", ...]],
           "path": [["0.1", ...], ...]
     cusp: "posture": ["0.1", ...]
+    pairs: "parting": ["0.1", ...],
+          "regular": ["0.1", ...]
     structure: "theorem": "spherical wrist",
           "relations": [{"axes": [2, 3], "are": "parallel"}, ...],
           "regular": ["0.1", ...]
@@ -49,6 +51,7 @@ from cuspaudit.certificate.model import (
     Certificate,
     CuspCertificate,
     Motion,
+    PairsCertificate,
     PathCertificate,
     StructureCertificate,
     Translate,
@@ -206,6 +209,10 @@ def _json_from_certificate(certificate: Certificate) -> dict[str, Any]:
     if isinstance(certificate, CuspCertificate):
         found["kind"] = "cusp"
         found["posture"] = texts(certificate.posture)
+    if isinstance(certificate, PairsCertificate):
+        found["kind"] = "pairs"
+        found["parting"] = texts(certificate.parting)
+        found["regular"] = texts(certificate.regular)
     if isinstance(certificate, StructureCertificate):
         found["kind"] = "structure"
         found["theorem"] = certificate.theorem

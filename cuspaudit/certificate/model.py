@@ -10,6 +10,9 @@ it.
 kind "cusp" claims the same by one posture: next to it the map has a cusp, and postures
 of one pose lie in one aspect as near to a cusp as one likes.
 
+kind "pairs" claims that a robot of three joints is noncuspidal, by a look at all pairs
+of postures of one position.
+
 kind "structure" claims that the robot is noncuspidal: some of its axes meet, are
 parallel or are square, and there is a theorem about such arms.
 
@@ -35,6 +38,7 @@ __all__ = [
     "Limits",
     "Motion",
     "Numbers",
+    "PairsCertificate",
     "PathCertificate",
     "Posture",
     "Relation",
@@ -53,7 +57,7 @@ Vector = tuple[Fraction, Fraction, Fraction]
 Posture = tuple[Fraction, ...]
 JointKind = Literal["revolute", "prismatic"]
 Task = Literal["position", "position-and-angle", "position-and-axis", "pose"]
-Word = Literal["meeting", "parallel", "square"]
+Word = Literal["level", "meeting", "parallel", "square"]
 Numbers = Literal["literal", "snapped"]
 Limits = tuple[tuple[Fraction, Fraction] | None, ...]
 
@@ -65,7 +69,8 @@ JOINTS_OF_TASK: dict[Task, int] = {
 }
 """The number of joints that makes the Jacobian matrix of each task square."""
 
-WORDS = ("meeting", "parallel", "square")
+WORDS = ("level", "meeting", "parallel", "square")
+_VERBS = {"meeting": "meet", "level": "are level, the outer two in a plane across"}
 TASKS = " or ".join(f'"{task}"' for task in JOINTS_OF_TASK)
 
 
@@ -185,8 +190,9 @@ class Relation:
 
     Attributes:
         axes: their numbers from 1, increasing.
-        word: "meeting" in one point and not parallel, "parallel", or "square", at right
-            angles.
+        word: "meeting" in one point and not parallel, "parallel", "square", at right
+            angles, or of three "level": the outer two lie in one plane across the
+            middle one.
     """
 
     axes: tuple[int, ...]
@@ -195,7 +201,7 @@ class Relation:
     def __str__(self) -> str:
         *first, last = map(str, self.axes)
         axes = f"axes {', '.join(first)} and {last}" if first else f"axis {last}"
-        return f"{axes} {'meet' if self.word == 'meeting' else f'are {self.word}'}"
+        return f"{axes} {_VERBS.get(self.word, f'are {self.word}')}"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -210,6 +216,20 @@ class StructureCertificate(Certificate):
 
     theorem: str
     relations: tuple[Relation, ...]
+    regular: Posture
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class PairsCertificate(Certificate):
+    """The claim that three joints are noncuspidal, by all pairs of one position.
+
+    Attributes:
+        parting: values of joint 3 (rad) that no path passes on which det J has one of
+            the two signs: which, the proof finds out.
+        regular: a posture at which det J is not 0; rad.
+    """
+
+    parting: tuple[Fraction, ...]
     regular: Posture
 
 
@@ -266,6 +286,8 @@ def _misfits(certificate: Certificate) -> _Misfits:
         yield from _cusp_misfits(certificate)
     if isinstance(certificate, StructureCertificate):
         yield from _structure_misfits(certificate)
+    if isinstance(certificate, PairsCertificate):
+        yield from _pairs_misfits(certificate)
 
 
 def _limit_misfits(certificate: Certificate) -> _Misfits:
@@ -318,6 +340,13 @@ def _structure_misfits(certificate: StructureCertificate) -> _Misfits:
             expected = f"give numbers from 1 to {needed}, increasing"
             yield f"{where}.axes", repr(list(axes)), expected
     yield from _row_misfits(certificate.regular, needed, "regular")
+
+
+def _pairs_misfits(certificate: PairsCertificate) -> _Misfits:
+    if certificate.task != "position":
+        yield "robot.task", repr(certificate.task), 'pairs are of the task "position"'
+    yield from _row_misfits(certificate.parting, len(certificate.parting), "parting")
+    yield from _row_misfits(certificate.regular, len(certificate.joints), "regular")
 
 
 def _virtual_misfits(certificate: Certificate) -> _Misfits:

@@ -22,6 +22,7 @@ from cuspaudit.certificate.model import (
     Limits,
     Motion,
     Numbers,
+    PairsCertificate,
     PathCertificate,
     Posture,
     Relation,
@@ -148,6 +149,14 @@ def _structure(top: dict[str, Any], place: Place) -> StructureCertificate:
     )
 
 
+def _pairs(top: dict[str, Any], place: Place) -> PairsCertificate:
+    return PairsCertificate(
+        **_frame(top, place),
+        parting=_row(top["parting"], place.key("parting")),
+        regular=_row(top["regular"], place.key("regular")),
+    )
+
+
 def _relation(value: Any, place: Place) -> Relation:
     table = place.table(value, "axes", "are")
     axes = place.key("axes").items(table["axes"], _axis_number)
@@ -163,6 +172,7 @@ def _axis_number(value: Any, place: Place) -> int:
 _KINDS: dict[str, tuple[tuple[str, ...], Callable[[Any, Place], Certificate]]] = {
     "path": (("sign", "postures", "path"), _path),
     "cusp": (("posture",), _cusp),
+    "pairs": (("parting", "regular"), _pairs),
     "structure": (("theorem", "relations", "regular"), _structure),
 }
 """The keys of each kind beside those that all have, and what reads it."""

@@ -15,6 +15,7 @@ from flint import arb
 
 from cuspaudit.certificate.arm import arm_from_certificate
 from cuspaudit.certificate.axes import (
+    are_level,
     are_parallel,
     are_square,
     meet_in_one_point,
@@ -66,6 +67,8 @@ class StructureProof:
             case "parallel":
                 pairs = pairwise(relation.axes)
                 return all(are_parallel(self.certificate, *pair) for pair in pairs)
+            case "level":
+                return are_level(self.certificate, first)
             case "square":
                 return are_square(self.certificate, first)
             case "meeting":

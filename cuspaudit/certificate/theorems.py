@@ -55,6 +55,10 @@ def _pair_of_axes(arm: StructureCertificate, relations: Sequence[Relation]) -> b
     return len(relations) == 1 and _is_pair(arm, relations[0])
 
 
+def _no_offset(arm: StructureCertificate, relations: Sequence[Relation]) -> bool:
+    return list(relations) == [Relation((1, 2, 3), "level")] and _turn(arm, (1, 2, 3))
+
+
 def _triple_and_pair(arm: StructureCertificate, relations: Sequence[Relation]) -> bool:
     if len(relations) != 2 or not _turn(arm, range(1, 7)):
         return False
@@ -64,23 +68,27 @@ def _triple_and_pair(arm: StructureCertificate, relations: Sequence[Relation]) -
 
 
 def _wrist(arm: StructureCertificate, relations: Sequence[Relation]) -> bool:
-    return _point_and_pair(arm, relations, (4, 5, 6), ((1, 2), (2, 3)))
+    return _point_and_rest(arm, relations, (4, 5, 6), (1, 2, 3))
 
 
 def _shoulder(arm: StructureCertificate, relations: Sequence[Relation]) -> bool:
-    return _point_and_pair(arm, relations, (1, 2, 3), ((4, 5), (5, 6)))
+    return _point_and_rest(arm, relations, (1, 2, 3), (4, 5, 6))
 
 
-def _point_and_pair(
+def _point_and_rest(
     arm: StructureCertificate,
     relations: Sequence[Relation],
     point: tuple[int, ...],
-    places: tuple[tuple[int, ...], ...],
+    rest: tuple[int, ...],
 ) -> bool:
+    """Three axes meeting in ``point``, and a pair of the rest, or all of them level."""
     if Relation(point, "meeting") not in relations or len(relations) != 2:
         return False
-    pair = next(r for r in relations if r.axes != point)
-    return pair.axes in places and _is_pair(arm, pair) and _turn(arm, point)
+    other = next((r for r in relations if r.axes != point), relations[0])
+    if not set(other.axes) <= set(rest) or not _turn(arm, point):
+        return False
+    is_level = other == Relation(rest, "level") and _turn(arm, rest)
+    return is_level or _is_pair(arm, other)
 
 
 def _ur_pattern(arm: StructureCertificate, relations: Sequence[Relation]) -> bool:
@@ -124,6 +132,12 @@ THEOREMS = {
         "parallel: two signs tell all postures of a position apart",
         _pair_of_axes,
     ),
+    "no offset": Theorem(
+        ("position",),
+        "three joints that turn, axes 1 and 3 in one plane across axis 2: a sign, and "
+        "the side of joint 3, tell all postures of a position apart",
+        _no_offset,
+    ),
     "triple and pair": Theorem(
         _POSE,
         "six joints that turn, three axes in a row meeting in one point or parallel, "
@@ -135,14 +149,14 @@ THEOREMS = {
         _POSE,
         "axes 4, 5, 6 meet in one point, so the arm is cuspidal only if its first "
         "three joints, moving that point, are; and two of their axes in a row meet or "
-        "are parallel, so they are not",
+        "are parallel, or they have no offset, so they are not",
         _wrist,
     ),
     "spherical shoulder": Theorem(
         _POSE,
         "axes 1, 2, 3 meet in one point, so the arm is cuspidal only if its last three "
         "joints, taken from tip to base and moving that point, are; and two of their "
-        "axes in a row meet or are parallel, so they are not",
+        "axes in a row meet or are parallel, or they have no offset, so they are not",
         _shoulder,
     ),
     "UR pattern": Theorem(

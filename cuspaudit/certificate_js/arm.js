@@ -156,7 +156,7 @@ const transposed = (R) => AXES.map((j) => R.map((row) => row[j]));
 function unit(v) {
   const square = v.reduce((total, x) => total.plus(x.times(x)), ZERO);
   const single = v.filter((x) => !x.isZero).length === 1;
-  const length = single ? null : rootOf(square);
+  const length = single ? null : rootOf(enclosed(square));
   const n = v.map((x) => constant(single ? interval(x.sign) : quotient(enclosed(x), length)));
   const along = v.map((x) => v.map((y) => x.times(y).over(square)));
   const across = along.map((row, i) => row.map((x, j) => number(

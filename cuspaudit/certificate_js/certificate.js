@@ -9,6 +9,7 @@ const SECOND = "cuspaudit/certificate/2";
 const OPTIONAL = ["numbers", "limits", "tolerance"];
 const KINDS = {
   path: ["sign", "postures", "path"],
+  pairs: ["parting", "regular"],
   structure: ["theorem", "relations", "regular"],
 };
 
@@ -28,6 +29,7 @@ export function readCertificate(text) {
   const count = robot.joints.length;
   const found = { kind, robot, ...readOptions(top, count) };
   if (kind === "path") return { ...found, ...readPath(top, robot) };
+  if (kind === "pairs") return { ...found, ...readPairs(top, robot) };
   return { ...found, ...readStructure(top, count) };
 }
 
@@ -97,6 +99,11 @@ function readPath(top, robot) {
   return { sign: top.sign, postures, path };
 }
 
+function readPairs(top, robot) {
+  if (robot.task !== "position") refuse("robot.task", "pairs are of three joints");
+  return { parting: list(top.parting, "parting", number), regular: row(top.regular, 3, "regular") };
+}
+
 function readStructure(top, count) {
   const relations = list(top.relations, "relations", (json, where) => {
     const { axes, are } = table(json, where, ["axes", "are"]);
@@ -104,7 +111,7 @@ function readStructure(top, count) {
     const fit = numbers.every((k, i) => Number.isInteger(k) && k >= 1 && k <= count
       && (i === 0 || numbers[i - 1] < k));
     if (!numbers.length || !fit) refuse(`${where}.axes`, "numbers of axes, increasing");
-    if (!["parallel", "square", "meeting"].includes(are)) refuse(`${where}.are`, "unknown");
+    if (!["parallel", "square", "meeting", "level"].includes(are)) refuse(`${where}.are`, "unknown");
     return { axes: numbers, are };
   });
   const theorem = string(top.theorem, "theorem");

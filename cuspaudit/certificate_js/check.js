@@ -2,6 +2,7 @@
 // Written from docs/certificate.md. It needs nothing but the language, in Node or a browser.
 
 import { readCertificate } from "./certificate.js";
+import { provePairs } from "./pairs.js";
 import { provePath } from "./path.js";
 import { Refusal } from "./rational.js";
 import { proveStructure } from "./structure.js";
@@ -20,5 +21,6 @@ export function checkCertificate(text) {
 function prove(certificate) {
   if (certificate.limits) throw new Refusal("a claim within limits is not checked here");
   if (certificate.tolerance) throw new Refusal("a claim over a tolerance is not checked here");
-  return certificate.kind === "path" ? provePath(certificate) : proveStructure(certificate);
+  const proofs = { path: provePath, pairs: provePairs, structure: proveStructure };
+  return proofs[certificate.kind](certificate);
 }

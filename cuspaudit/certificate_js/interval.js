@@ -83,25 +83,14 @@ export function powerOfTwo(k) {
 
 const length = (n) => n.toString(2).length;
 
-/** An interval that holds the root of a positive rational number. */
-export function rootOf(number) {
-  let { l, h } = enclosed(number);
-  let [low, high] = [down(Math.sqrt(l)), up(Math.sqrt(h))]; // proposals, proved below
-  const square = (x) => { const r = exactly(x); return r.times(r); };
-  for (let tries = 0; tries < 8; tries++) {
-    const fits = [!number.lessThan(square(low)), !square(high).lessThan(number)];
-    if (fits[0] && fits[1] && low > 0) return interval(low, high);
-    [low, high] = [fits[0] ? low : down(low), fits[1] ? high : up(high)];
-  }
-  throw new Refusal("the root of a number is not enclosed");
-}
-
-/** A floating-point number as a rational one. */
-export function exactly(x) {
-  if (!Number.isFinite(x)) throw new Refusal("a number is infinite");
-  let twos = 0n;
-  while (!Number.isInteger(x)) [x, twos] = [x * 2, twos + 1n];
-  return new Rational(BigInt(x), 1n << twos);
+/** The roots of the members of an interval that have one; NaN if that is not found. */
+export function rootOf({ l, h }) {
+  if (h <= 0) return interval(0);
+  let [low, high] = [l > 0 ? Math.sqrt(l) : 0, Math.sqrt(h)]; // proposals, proved below
+  for (let tries = 0; tries < 9 && l > 0 && !(up(low * low) <= l); tries++) low = down(low);
+  for (let tries = 0; tries < 9 && !(down(high * high) >= h); tries++) high = up(high);
+  const holds = (low === 0 || up(low * low) <= l) && down(high * high) >= h;
+  return holds ? interval(low, high) : interval(NaN);
 }
 
 /** Rational bounds of pi, by Machin: pi = 16 atan(1/5) - 4 atan(1/239). */

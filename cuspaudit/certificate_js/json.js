@@ -4,85 +4,53 @@
 import { Refusal } from "./rational.js";
 
 const DEEPEST = 64;
+const STRING = /"(?:[^"\\\u0000-\u001f]|\\(?:["\\/bfnrt]|u[0-9a-fA-F]{4}))*"/y;
+const WORD = /null|-?(?:0|[1-9][0-9]{0,8})(?![0-9.eE])/y;
 
 export function parseJson(text) {
-  const reader = new Reader(text);
-  const value = reader.value(0);
-  reader.space();
-  if (reader.at < text.length) reader.fail("more text after the object");
-  return value;
-}
-
-class Reader {
-  constructor(text) { [this.text, this.at] = [text, 0]; }
-
-  fail(why) { throw new Refusal(`not JSON (${why} at character ${this.at})`); }
-
-  space() { while (" \t\n\r".includes(this.text[this.at] ?? "x")) this.at++; }
-
-  take(pattern) {
-    pattern.lastIndex = this.at;
-    const found = pattern.exec(this.text);
-    if (found) this.at = pattern.lastIndex;
-    return found?.[0];
-  }
-
-  expect(mark) {
-    this.space();
-    if (this.text[this.at] !== mark) this.fail(`no ${mark}`);
-    this.at++;
-  }
-
-  value(depth) {
-    if (depth > DEEPEST) this.fail("nested too deeply");
-    this.space();
-    switch (this.text[this.at]) {
-      case "{": return this.object(depth);
-      case "[": return this.list(depth);
-      case '"': return this.string();
-      default: return this.word();
+  let at = 0;
+  const fail = (why) => { throw new Refusal(`not JSON (${why} at character ${at})`); };
+  const space = () => { while (" \t\n\r".includes(text[at] ?? "x")) at++; };
+  const take = (pattern) => {
+    pattern.lastIndex = at;
+    const found = pattern.exec(text) ?? fail("no value of a certificate");
+    at = pattern.lastIndex;
+    return JSON.parse(found[0]);
+  };
+  const mark = (sign) => {
+    space();
+    if (text[at] !== sign) return false;
+    at++;
+    return true;
+  };
+  const entries = (close, read) => {
+    if (mark(close)) return;
+    do read(); while (mark(","));
+    if (!mark(close)) fail(`no ${close}`);
+  };
+  const value = (depth) => {
+    if (depth > DEEPEST) fail("nested too deeply");
+    if (mark("{")) {
+      const found = new Map();
+      entries("}", () => {
+        space();
+        const key = take(STRING);
+        if (found.has(key)) fail("a key comes twice");
+        if (!mark(":")) fail("no :");
+        found.set(key, value(depth + 1));
+      });
+      return found;
     }
-  }
-
-  object(depth) {
-    const found = new Map();
-    this.entries("{", "}", () => {
-      this.space();
-      const key = this.string();
-      if (found.has(key)) this.fail("a key comes twice");
-      this.expect(":");
-      found.set(key, this.value(depth + 1));
-    });
-    return found;
-  }
-
-  list(depth) {
-    const found = [];
-    this.entries("[", "]", () => found.push(this.value(depth + 1)));
-    return found;
-  }
-
-  entries(open, close, read) {
-    this.expect(open);
-    this.space();
-    if (this.text[this.at] === close) { this.at++; return; }
-    for (;;) {
-      read();
-      this.space();
-      if (this.text[this.at] === close) { this.at++; return; }
-      this.expect(",");
+    if (mark("[")) {
+      const found = [];
+      entries("]", () => found.push(value(depth + 1)));
+      return found;
     }
-  }
-
-  string() {
-    const token = this.take(/"(?:[^"\\\u0000-\u001f]|\\(?:["\\/bfnrt]|u[0-9a-fA-F]{4}))*"/y);
-    if (token === undefined) this.fail("no string");
-    return JSON.parse(token);
-  }
-
-  word() {
-    const token = this.take(/null|-?(?:0|[1-9][0-9]{0,8})(?![0-9.eE])/y);
-    if (token === undefined) this.fail("no value of a certificate");
-    return token === "null" ? null : Number(token);
-  }
+    space();
+    return take(text[at] === '"' ? STRING : WORD);
+  };
+  const found = value(0);
+  space();
+  if (at < text.length) fail("more text after the object");
+  return found;
 }

@@ -138,9 +138,17 @@ function areParallel(robot, axes) {
   });
 }
 
-function areSquare(robot, [first, last]) {
+export function areSquare(robot, [first, last]) {
   const { u, v } = pair(robot, first, last);
   return last === first + 1 && vanish(dot(u, v));
+}
+
+function areLevel(robot, axes) {
+  const [first, middle, last] = axes;
+  if (axes.length !== 3 || !areSquare(robot, [first, middle]) || !areSquare(robot, [middle, last]))
+    return false;
+  const [before, after] = [pair(robot, first, middle), pair(robot, middle, last)];
+  return vanish(dot(before.p, before.v).plus(dot(after.p, after.u)));
 }
 
 function areMeeting(robot, axes) {
@@ -170,6 +178,7 @@ function crossing(a, b, q) {
 
 function holds(robot, { axes, are }) {
   if (are === "parallel") return areParallel(robot, axes);
+  if (are === "level") return areLevel(robot, axes);
   return are === "square" ? areSquare(robot, axes) : areMeeting(robot, axes);
 }
 
@@ -179,7 +188,7 @@ const POSE = ["pose", "position-and-axis"];
 const told = ({ axes, are }) => `${axes.join(",")} ${are}`;
 const inARow = ({ axes }) => axes.every((k, i) => k === axes[0] + i);
 const isRow = (relation, size) =>
-  relation.axes.length === size && inARow(relation) && relation.are !== "square";
+  relation.axes.length === size && inARow(relation) && ["meeting", "parallel"].includes(relation.are);
 
 function areExactly(relations, wanted) {
   const found = relations.map(told);
@@ -187,12 +196,14 @@ function areExactly(relations, wanted) {
     && wanted.every((each) => found.includes(each));
 }
 
-function pointAndPair(point, places) {
+/** Three axes that meet in a point, and a pair of the others, or all the others level. */
+function pointAndRest(point, rest) {
   return (relations, turn) => {
-    const pairs = relations.filter((r) => r.axes.length === 2);
-    return relations.length === 2 && pairs.length === 1 && isRow(pairs[0], 2)
-      && relations.some((r) => told(r) === `${point.join(",")} meeting`)
-      && places.includes(pairs[0].axes.join(",")) && turn([...point, ...pairs[0].axes]);
+    const other = relations.find((r) => told(r) !== `${point.join(",")} meeting`);
+    if (relations.length !== 2 || !other || !turn(point)) return false;
+    if (!relations.some((r) => told(r) === `${point.join(",")} meeting`)) return false;
+    const inRest = other.axes.every((k) => rest.includes(k)) && turn(other.axes);
+    return inRest && (isRow(other, 2) || told(other) === `${rest.join(",")} level`);
   };
 }
 
@@ -200,13 +211,15 @@ function pointAndPair(point, places) {
 const THEOREMS = {
   "pair of axes": [["position"], (relations, turn) =>
     relations.length === 1 && isRow(relations[0], 2) && turn(relations[0].axes)],
+  "no offset": [["position"], (relations, turn) =>
+    turn([1, 2, 3]) && areExactly(relations, ["1,2,3 level"])],
   "triple and pair": [POSE, (relations, turn) => {
     const [two, three] = [...relations].sort((a, b) => a.axes.length - b.axes.length);
     return relations.length === 2 && isRow(two, 2) && isRow(three, 3)
       && !two.axes.some((k) => three.axes.includes(k)) && turn([1, 2, 3, 4, 5, 6]);
   }],
-  "spherical wrist": [POSE, pointAndPair([4, 5, 6], ["1,2", "2,3"])],
-  "spherical shoulder": [POSE, pointAndPair([1, 2, 3], ["4,5", "5,6"])],
+  "spherical wrist": [POSE, pointAndRest([4, 5, 6], [1, 2, 3])],
+  "spherical shoulder": [POSE, pointAndRest([1, 2, 3], [4, 5, 6])],
   "UR pattern": [POSE, (relations, turn) => turn([1, 2, 3, 4, 5, 6]) && areExactly(relations, [
     "2,3,4 parallel", ...["1,2", "4,5", "5,6"].flatMap((k) => [`${k} meeting`, `${k} square`])])],
   "parallel axes": [["position-and-angle"], (relations, turn) => {
@@ -217,6 +230,13 @@ const THEOREMS = {
     turn([1, 2, 3, 4]) && areExactly(relations, ["1,2 square", "2,3,4 parallel"])],
 };
 
+/** det J is not 0 at the posture. */
+export function checkRegular(robot, regular) {
+  const value = new Arm(robot, 1).determinant(regular.map((x) => [enclosed(x)]));
+  if (!value.length || !excludesZero(value[0]))
+    throw new Refusal("det J at the regular posture is not proved to differ from 0");
+}
+
 /** Proves the certificate, or throws a Refusal; returns what was proved. */
 export function proveStructure({ robot, theorem, relations, regular }) {
   if (!Object.hasOwn(THEOREMS, theorem)) throw new Refusal("no theorem of this name is known here");
@@ -226,8 +246,6 @@ export function proveStructure({ robot, theorem, relations, regular }) {
   if (!fits(relations, turn)) throw new Refusal("the relations are not those of the theorem");
   for (const relation of relations)
     if (!holds(robot, relation)) throw new Refusal(`not proved: axes ${told(relation)}`);
-  const value = new Arm(robot, 1).determinant(regular.map((x) => [enclosed(x)]));
-  if (!value.length || !excludesZero(value[0]))
-    throw new Refusal("det J at the regular posture is not proved to differ from 0");
+  checkRegular(robot, regular);
   return `noncuspidal: axes ${relations.map(told).join(", ")}; theorem "${theorem}"`;
 }

@@ -17,6 +17,7 @@ from typing import Any
 
 from markupsafe import Markup
 
+from cuspaudit.certificate_js import checker_script
 from cuspaudit.viz.offline import asset, environment, policy
 from cuspaudit.viz.page_rows import (
     counts,
@@ -47,12 +48,14 @@ def render_page(
         audit: the audit, schema ``cuspaudit/audit/2``; missing keys count as null.
         scene: from `build_scene`: the arm on its path, or in a few postures when
             there is no path. None leaves the animation out.
-        certificate: text of the certificate file, to be offered as a download.
+        certificate: text of the certificate file, to be offered as a download, and
+            checked by the page itself when it is opened.
 
     Returns:
         HTML that opens from ``file://`` and asks for no other file.
     """
     scripts = [viewer_script(), asset("page.js")] if scene else []
+    checking = [checker_script(), asset("checking.js")] if certificate else []
     return (
         environment()
         .get_template("page.html")
@@ -75,8 +78,9 @@ def render_page(
             else [],
             style=Markup(asset("page.css")),
             scripts=[Markup(script) for script in scripts],
+            checking=[Markup(script) for script in checking],
             notices=Markup(viewer_license().replace("--", "- -")) if scene else "",
-            policy=policy(scripts),
+            policy=policy([*scripts, *checking]),
         )
     )
 

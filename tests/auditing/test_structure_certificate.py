@@ -4,8 +4,10 @@ import pytest
 
 from cuspaudit.auditing.audit import audit
 from cuspaudit.auditing.certificates import certificate_of_audit
+from cuspaudit.auditing.pairs_certificate import pairs_certificate
 from cuspaudit.auditing.structure_certificate import structure_certificate
 from cuspaudit.certificate import (
+    PairsCertificate,
     PathCertificate,
     StructureCertificate,
     certificate_from_text,
@@ -57,6 +59,19 @@ def test_an_audit_has_the_certificate_of_its_verdict() -> None:
     assert verify(other).accepted
 
 
-def test_a_verdict_of_an_exact_run_alone_has_no_certificate() -> None:
-    """Baili's arm is noncuspidal, and no relation of its axes says so."""
-    assert certificate_of_audit(audit(open_robot("baili-2004-wt8"))) is None
+def test_baili_s_arm_is_certified_by_its_pairs() -> None:
+    """Noncuspidal with four aspects, and no relation of its axes says so."""
+    found = certificate_of_audit(audit(open_robot("baili-2004-wt8")))
+    assert isinstance(found, PairsCertificate)
+    assert verify(found).accepted
+
+
+@pytest.mark.parametrize(
+    "name", ["baili-2004-wt1", "wenger-2007-a3-0.1", "salunkhe-2022-fig4b"]
+)
+def test_an_exact_run_of_three_joints_has_a_certificate_of_pairs(name: str) -> None:
+    """Noncuspidal without a relation of the axes, and still provable by a stranger."""
+    found = pairs_certificate(open_robot(name).chain)
+    assert found is not None
+    assert 2 <= len(found.parting) <= 4
+    assert verify(certificate_from_text(text_from_certificate(found))).accepted

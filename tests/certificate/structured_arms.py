@@ -10,6 +10,7 @@ from certified_arms import X, Z, exact, from_dh
 from cuspaudit.certificate import (
     CertifiedJoint,
     Motion,
+    PairsCertificate,
     Relation,
     Rotate,
     StructureCertificate,
@@ -84,6 +85,11 @@ def elbow() -> Robot:
     return from_dh([0.1, 0.5, 0.4], [0.3, 0.11, 0.05], [77, 0, 0])
 
 
+def without_offset() -> Robot:
+    """Three joints, axes 1 and 3 in one plane across axis 2."""
+    return from_dh([1, 0.7, 0.6], [0.2, 0, 0.3], [90, -90, 0])
+
+
 def crossing() -> Robot:
     """Three joints, axes 1 and 2 meeting at 60 degrees."""
     return from_dh([0, 0.5, 0.4], [0.3, 0.11, 0.05], [60, 50, 0])
@@ -143,6 +149,17 @@ def some_structures() -> dict[str, StructureCertificate]:
         "crossing": structure(
             crossing(), "pair of axes", relation("meeting", 1, 2), **short
         ),
+        "no offset": structure(
+            without_offset(), "no offset", relation("level", 1, 2, 3), **short
+        ),
+        "wrist without offset": structure(
+            from_dh(
+                [1, 0.7, 0, 0, 0, 0], [0.2, 0, 0, 0.5, 0, 0.1], [90, -90, 90, 90, 90, 0]
+            ),
+            "spherical wrist",
+            WRIST,
+            relation("level", 1, 2, 3),
+        ),
         "cancelling turns": structure(
             by_other_words(*tumbling), "spherical wrist", WRIST, ELBOW
         ),
@@ -168,3 +185,35 @@ def _undone(motions: tuple[Motion, ...]) -> tuple[Motion, ...]:
         else Rotate(motion.axis, -motion.half_turns, -motion.radians)
         for motion in reversed(motions)
     )
+
+
+def pairs(robot: Robot, *parting: str) -> PairsCertificate:
+    """The claim that three joints are noncuspidal by all their pairs."""
+    joints, tool = robot
+    return PairsCertificate(
+        robot_name="three joints",
+        task="position",
+        unit="m",
+        joints=joints,
+        tool=tool,
+        parting=exact(parting),
+        regular=exact(REGULAR[:3]),
+        made_by="the tests",
+    )
+
+
+def some_pairs() -> dict[str, PairsCertificate]:
+    """Noncuspidal arms of the literature, of two and of four aspects."""
+    square, skew = [-90, 90, 0], [-60, 90, 0]
+    return {
+        "two aspects": pairs(
+            from_dh([1, 0.7, 0.3], [0, 0.2, 0], square), "1.326", "4.468"
+        ),
+        "four aspects": pairs(
+            from_dh([1, 0.5, 0.8], [0, 0.2, 0], square),
+            *("1.196", "2.505", "3.656", "4.965"),
+        ),
+        "skew": pairs(
+            from_dh([1, 0.2, 2], [0, 1, 0], skew), *("1.213", "1.946", "4.267", "4.965")
+        ),
+    }

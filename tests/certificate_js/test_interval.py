@@ -177,12 +177,13 @@ def test_rational_numbers_pi_and_roots_are_enclosed() -> None:
         assert Fraction(ends[0]) <= x <= Fraction(ends[1])
         assert ends[1] in (ends[0], math.nextafter(ends[0], math.inf))
         assert (ends[0] == ends[1]) == (Fraction(float(x)) == x)
-    squares = [f"{rng.randint(1, 10**9)}/{rng.randint(1, 10**9)}" for _ in range(200)]
-    for text, (low, high) in zip(
-        squares, evaluated([("rootOf", t) for t in squares]), strict=True
-    ):
-        assert 0 < Fraction(low) ** 2 <= Fraction(text) <= Fraction(high) ** 2
-        assert high - low <= 8 * math.ulp(high)
+    squares = [[x, x + rng.choice([0, 1])] for x in (rng.random() for _ in range(300))]
+    squares += [[-1.0, 4.0], [0.0, 2.0], [1e-300, 1e300], [4.0, 4.0]]
+    roots = evaluated([("rootOf", ends) for ends in squares])
+    for (least, most), (low, high) in zip(squares, roots, strict=True):
+        assert 0 <= Fraction(low) ** 2 <= max(0, Fraction(least))
+        assert Fraction(high) ** 2 >= Fraction(most)
+        assert high - math.sqrt(most) <= 4 * math.ulp(high)
     [[ends, low, high]] = evaluated([("pi",)])
     assert contains(ends, arb.pi())
     assert _ball(Fraction(low)) < arb.pi() < _ball(Fraction(high))
