@@ -17,6 +17,14 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from cuspaudit.api.calls import audit, check, decide, load, sweep, verify
     from cuspaudit.api.results import Audit, SystemAudit
+    from cuspaudit.api.tool_paths import (
+        Connection,
+        Postures,
+        Trace,
+        postures,
+        same_aspect,
+        trace,
+    )
     from cuspaudit.auditing.check import Checked
     from cuspaudit.certificate.checker import Verification
     from cuspaudit.cuspidality.verdict import Verdict
@@ -32,6 +40,10 @@ _PLACES = {
         ("audit", "check", "decide", "load", "sweep", "verify"), "api.calls"
     ),
     **dict.fromkeys(("Audit", "SystemAudit"), "api.results"),
+    **dict.fromkeys(
+        ("Connection", "Postures", "Trace", "postures", "same_aspect", "trace"),
+        "api.tool_paths",
+    ),
     "Checked": "auditing.check",
     "CuspauditError": "errors",
     "Robot": "robot.robot",
@@ -43,10 +55,13 @@ _PLACES = {
 __all__ = [
     "Audit",
     "Checked",
+    "Connection",
     "CuspauditError",
+    "Postures",
     "Robot",
     "Swept",
     "SystemAudit",
+    "Trace",
     "Verdict",
     "Verification",
     "__version__",
@@ -54,7 +69,10 @@ __all__ = [
     "check",
     "decide",
     "load",
+    "postures",
+    "same_aspect",
     "sweep",
+    "trace",
     "verify",
 ]
 

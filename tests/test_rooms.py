@@ -29,7 +29,7 @@ ALLOWED = {
     "robot": BASE | {"algebra"},
     "kinematics": MODEL,
     "auditing": AUDIT,
-    "toolpath": DECISION | MODEL | {"toolpath"},
+    "toolpath": AUDIT | {"toolpath"},
     "family": AUDIT,
     "viz": {"errors", "certificate", "certificate_js", "robot"},
     "pictures": AUDIT | {"viz"},

@@ -28,6 +28,8 @@ _COMMANDS = (
     ("check", "check", "check", "robots/ -j 2 --junit report.xml"),
     ("trace", "trace", "trace", "crx.urdf --tip tool0 weld.csv --json trace.json"),
     ("setup", "setup", "setup", ""),
+    ("postures", "postures", "postures", "ur5_robot --joints 0.1,-1,1.2,0.3,0.4,0"),
+    ("same", "same", "same", "chablat-2022-3r --from 2.9,3,0.3 --to 0.8,0.5,-2.5"),
     ("sweep", "families", "sweep", "family.yaml -o table -j 2"),
 )
 

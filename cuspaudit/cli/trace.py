@@ -8,7 +8,6 @@ from typing import Annotated, Any
 
 import typer
 from rich.console import Console
-from rich.table import Table
 from rich.text import Text
 
 from cuspaudit.cli.opening import open_named
@@ -82,12 +81,12 @@ def trace(
     Exit codes: 0 every start posture reaches the end, and a closed path repeats; 1 some
     do not, or the first pose has no posture; 3 undecided.
     """
-    from cuspaudit.api.run_certificate import run_certificate
     from cuspaudit.robot.snap_policy import policy_from_name
     from cuspaudit.robot.snapping import snap as snapped
     from cuspaudit.runtime.writing import check_writable, write_text
     from cuspaudit.toolpath.reading import angle_unit_named, closed_path, read_path
     from cuspaudit.toolpath.record import exit_code, trace_record
+    from cuspaudit.toolpath.run_certificate import run_certificate
     from cuspaudit.toolpath.trace import trace_path
     from cuspaudit.toolpath.traced_arm import traced_arm
 
@@ -124,17 +123,15 @@ def _print(record: dict[str, Any]) -> None:
     console.print(
         f"{robot['name']}: {path['waypoints']} waypoints, {len(record['runs'])} starts"
     )
-    table = Table.grid(padding=(0, 2))
     for number, run in enumerate(record["runs"][:_SHOWN]):
-        table.add_row(*_row(record, number, run))
-    console.print(table)
+        console.print(_row(record, number, run))
     if len(record["runs"]) > _SHOWN:
         console.print(f"... and {len(record['runs']) - _SHOWN} more, with --json")
     for line in _sentences(record):
         console.print(line)
 
 
-def _row(record: dict[str, Any], number: int, run: dict[str, Any]) -> list[Text]:
+def _row(record: dict[str, Any], number: int, run: dict[str, Any]) -> Text:
     sign = {1: "+", -1: "-", 0: "0", None: "?"}[run["sign"]]
     words = {
         "reached": "reaches the end",
@@ -154,13 +151,12 @@ def _row(record: dict[str, Any], number: int, run: dict[str, Any]) -> list[Text]
         f"{margin * 57.29578:.1f} deg from singular" if run["end"] == "reached" else ""
     )
     shown = ", ".join(f"{value:.4f}" for value in run["start"])
-    return [
-        Text(f"{number}", style="dim"),
-        Text(sign),
-        Text(f"[{shown}]"),
+    parts = [
+        Text(f"{number}  {sign}  [{shown}]  "),
         Text(words, style=_COLOUR[run["end"]]),
-        Text(room, style="dim"),
+        Text(f"  {room}" if room else "", style="dim"),
     ]
+    return Text.assemble(*parts)
 
 
 def _sentences(record: dict[str, Any]) -> list[str]:

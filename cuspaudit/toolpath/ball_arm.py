@@ -165,7 +165,10 @@ def cross(a: Array, b: Array) -> Array:
     """The vector products along the last axis; quicker than numpy's for a few."""
     x, y, z = a[..., 0], a[..., 1], a[..., 2]
     u, v, w = b[..., 0], b[..., 1], b[..., 2]
-    return np.stack([y * w - z * v, z * u - x * w, x * v - y * u], -1)
+    first = y * w - z * v
+    result = np.empty((*first.shape, 3))
+    result[..., 0], result[..., 1], result[..., 2] = first, z * u - x * w, x * v - y * u
+    return result
 
 
 def angle_ball(angle: Angle) -> arb:

@@ -14,17 +14,26 @@ from flint import arb, arb_mat, ctx, fmpq
 from cuspaudit.algebra.rationals import exact_rational, simplest_between
 from cuspaudit.algebra.ring import rational
 from cuspaudit.robot.chain import Angle
+from cuspaudit.robot.frames import angle_value
 from cuspaudit.toolpath.ball_arm import angle_ball
 from cuspaudit.toolpath.traced_arm import TracedArm
 from cuspaudit.toolpath.waypoints import Pose
 
-__all__ = ["pose_of_joints", "value_balls"]
+__all__ = [
+    "JointValue",
+    "float_values",
+    "pose_of_joints",
+    "simplest_near",
+    "value_balls",
+]
+
+JointValue = Angle | Fraction
 
 _BITS = 128
 _NEAR = fmpq(1, 10**15)
 
 
-def value_balls(values: Sequence[Angle | Fraction]) -> list[arb]:
+def value_balls(values: Sequence[JointValue]) -> list[arb]:
     """Joint values in balls of the working precision."""
     return [
         angle_ball(value) if isinstance(value, Angle) else arb(rational(value))
@@ -32,7 +41,15 @@ def value_balls(values: Sequence[Angle | Fraction]) -> list[arb]:
     ]
 
 
-def pose_of_joints(arm: TracedArm, values: Sequence[Angle | Fraction]) -> Pose:
+def float_values(values: Sequence[JointValue]) -> list[float]:
+    """Joint values in doubles."""
+    return [
+        angle_value(value) if isinstance(value, Angle) else float(value)
+        for value in values
+    ]
+
+
+def pose_of_joints(arm: TracedArm, values: Sequence[JointValue]) -> Pose:
     """The pose of the tip at joint values of the robot.
 
     Args:
@@ -47,8 +64,8 @@ def pose_of_joints(arm: TracedArm, values: Sequence[Angle | Fraction]) -> Pose:
             for ball, scale in zip(balls, arm.balls.scales, strict=True)
         ]
         tip = arm.balls.placed(scaled).tip
-        x, y, z = (_simplest(tip[i, 3]) for i in range(3))
-        w, a, b, c = (_simplest(entry) for entry in _quaternion(tip))
+        x, y, z = (simplest_near(tip[i, 3]) for i in range(3))
+        w, a, b, c = (simplest_near(entry) for entry in _quaternion(tip))
     return Pose((x, y, z), (w, a, b, c))
 
 
@@ -82,7 +99,8 @@ def _quaternion(tip: arb_mat) -> list[arb]:
     return [entry / rows[best][best] for entry in rows[best]]
 
 
-def _simplest(ball: arb) -> Fraction:
+def simplest_near(ball: arb) -> Fraction:
+    """The simplest rational within 1e-15 of a narrow ball."""
     middle = exact_rational(ball)
     found = simplest_between(middle - _NEAR, middle + _NEAR)
     return Fraction(int(found.p), int(found.q))

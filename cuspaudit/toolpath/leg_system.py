@@ -175,20 +175,6 @@ class LegSystem:
         tip = self.arm.placed(y[:-1]).tip
         return bool((self.goal.back(y[-1]) * _turn(tip)).trace() > 1)
 
-    def determinant(self, y: Sequence[arb]) -> arb:
-        """Det J of the task at the postures of the box: no row is turned or scaled.
-
-        The rows are those of `robot.frames.jacobian`; slides are in the arm's unit,
-        which scales det J by a positive number.
-        """
-        placed = self.arm.placed(y[:-1])
-        rows = [list(row) for row in zip(*placed.speeds, strict=True)]
-        if self.signs is not None:
-            rows.append([arb(sign) for sign in self.signs])
-        elif self.has_pose:
-            rows += [list(row) for row in zip(*placed.turns, strict=True)]
-        return arb_mat(rows).det()
-
     def _angle(self, y: Sequence[arb]) -> arb:
         assert self.signs is not None and self.goal.psi is not None
         total = -self.goal.psi - y[-1] * self.goal.angle

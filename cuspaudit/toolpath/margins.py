@@ -14,7 +14,8 @@ __all__ = ["limit_margin", "recommended", "singular_distance", "singular_margin"
 Array = NDArray[np.float64]
 
 _POINTS = 24
-_STEPS = 12
+_STEPS = 30
+_SINGULAR = 1e-6
 _NUDGE = 1e-6
 _LONGEST = 0.5
 
@@ -33,24 +34,34 @@ def determinant(arm: TracedArm, values: Array) -> float:
 def singular_distance(arm: TracedArm, values: Array) -> float:
     """The distance to a singular posture near by, Euclidean over the joints.
 
-    Newton steps along the gradient of det J lead to one; there may be a nearer one.
+    The point of {det J = 0} nearest to ``values`` is sought by linearising det J again
+    and again: its foot on the tangent plane [Hasofer and Lind 1974]. What is found is a
+    singular posture; there may be a nearer one.
 
     Args:
         arm: the arm.
         values: coordinates of the balls: rad, slides in the arm's unit.
+
+    Returns:
+        infinite where the search does not settle.
     """
-    here = np.array(values, dtype=float)
+    start = np.array(values, dtype=float)
+    here, height = start, abs(determinant(arm, start))
+    best = np.inf
     for _ in range(_STEPS):
         value, slope = _with_gradient(arm, here)
         square = float(slope @ slope)
+        if abs(value) <= _SINGULAR * height:
+            best = min(best, float(np.linalg.norm(here - start)))
         if square == 0.0:
             break
-        step = -value / square * slope
-        size = float(np.sqrt(step @ step))
+        foot = start + (float(slope @ (here - start)) - value) / square * slope
+        step = foot - here
+        size = float(np.linalg.norm(step))
         here = here + step * min(1.0, _LONGEST / size if size else 1.0)
-        if size < 1e-9:
+        if size < 1e-7:
             break
-    return float(np.linalg.norm(here - values))
+    return best
 
 
 def singular_margin(arm: TracedArm, run: Run) -> float:

@@ -26,11 +26,10 @@ from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
-from cuspaudit.robot.chain import Angle, Chain
-from cuspaudit.robot.frames import angle_value
+from cuspaudit.robot.chain import Chain
 from cuspaudit.robot.numbers import AngleUnit, parse_angle, parse_length
 from cuspaudit.robot.place import Place, listing, quoted
-from cuspaudit.toolpath.joint_pose import pose_of_joints
+from cuspaudit.toolpath.joint_pose import JointValue, float_values, pose_of_joints
 from cuspaudit.toolpath.traced_arm import TracedArm
 from cuspaudit.toolpath.waypoints import Pose, Quaternion, ToolPath, Vector, half_turn
 
@@ -50,8 +49,7 @@ _UNIT = Fraction(1, 10**6)
 _METRES = {"m": Fraction(1), "mm": Fraction(1, 1000)}
 _HEADERS = "x,y,z or x,y,z,qw,qx,qy,qz or the joints' names"
 
-Joint = Angle | Fraction
-Row = tuple[Vector, Quaternion | None] | tuple[Joint, ...]
+Row = tuple[Vector, Quaternion | None] | tuple[JointValue, ...]
 
 
 def read_path(
@@ -145,7 +143,7 @@ def unit_quaternion(entries: Sequence[Fraction], place: Place) -> Quaternion:
 
 def parse_joint(
     text: str, chain: Chain, index: int, place: Place, unit: AngleUnit | None
-) -> Joint:
+) -> JointValue:
     """The value of a joint: an angle where it turns, a length where it slides."""
     joint = chain.joints[index]
     if joint.kind == "prismatic":
@@ -175,13 +173,9 @@ def _built(rows: Sequence[Row], arm: TracedArm, file: str) -> ToolPath:
             continue
         pose = pose_of_joints(arm, row)
         poses.append(Pose(pose.position, pose.quaternion, number))
-        joints.append(tuple(_float(value) for value in row))
+        joints.append(tuple(float_values(row)))
     path = checked_path(poses, arm, file)
     return ToolPath(path.poses, tuple(joints) if joints else None, file)
-
-
-def _float(value: Joint) -> float:
-    return angle_value(value) if isinstance(value, Angle) else float(value)
 
 
 def _csv_rows(
@@ -241,7 +235,7 @@ def _joint_row(
     chain: Chain,
     place: Place,
     unit: AngleUnit | None,
-) -> tuple[Joint, ...]:
+) -> tuple[JointValue, ...]:
     return tuple(
         parse_joint(cell, chain, k, place.at(chain.joints[k].name), unit)
         for k, cell in enumerate(cells)

@@ -44,9 +44,10 @@ __all__ = [
 Array = NDArray[np.float64]
 Exit = Literal["start", "end", "stuck"]
 
-_FIRST, _LONGEST, _SHORTEST = 0.3, 1.0, 1e-8
+_FIRST, _LONGEST, _SHORTEST = 0.5, 1.5, 1e-8
+_STILL = 1e-3
 _COMFORT = 0.45
-_MOST = 20_000
+_MOST = 5_000
 _FLAT = 1e-9
 _BRIEFEST = 1e-6
 _NEWTON = 8
@@ -127,14 +128,17 @@ def looped(legs: Sequence[LegSystem], leg: int, knot: Knot) -> list[Link] | None
         None if it is not closed, or a step cannot be proved.
     """
     links: list[Link] = []
-    here, start, forward = leg, knot, True
+    here, start, forward, away = leg, knot, True, False
     while len(links) < _MOST:
         pieces = []
         for piece in _along(legs[here], here, knot, forward):
             pieces.append(piece)
-            back = here == leg and piece.trend > 0 and (links or len(pieces) > 1)
-            if back and piece.tube.holds(unwound(legs[leg].arm, start, piece.tube)):
+            back = here == leg and piece.tube.holds(
+                unwound(legs[leg].arm, start, piece.tube)
+            )
+            if back and away:
                 return [*links, *pieces]
+            away = away or not back
         links += pieces
         if not pieces:
             return None
@@ -236,6 +240,8 @@ def _step(
 ) -> tuple[Link, Axis | None] | None:
     """A tube of about ``size`` from ``knot``, or to the end of the leg.
 
+    Sizes are those of the bounds (`Expansion.length`): how far the joints move.
+
     Args:
         system: the equations.
         leg: its number.
@@ -247,6 +253,7 @@ def _step(
     Returns:
         The link, and the axis at its last knot; None if this size is too large.
     """
+    size /= axis.here.length(axis.along) + _STILL
     goal, row, wall = axis.point(size), axis.along, None
     if not 0.0 < goal[-1] < 1.0:
         wall = 1.0 if goal[-1] >= 1.0 else 0.0

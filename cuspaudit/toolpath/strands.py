@@ -94,7 +94,7 @@ def known_posture(
     knot = knot_at(system, y, np.eye(len(y))[:, :-1])
     if knot is None or not system.is_genuine(knot.balls()):
         return Known(None, y[:-1], sign)
-    determinant = system.determinant(knot.balls())
+    determinant = arm.determinant(knot.balls()[:-1])
     sign = int(determinant > 0) - int(determinant < 0) or sign
     return Known(knot, y[:-1], sign)
 

@@ -214,7 +214,7 @@ def trace_path(
             path,
             limited,
             tuple(runs),
-            tuple(_births(arm, legs, found)),
+            tuple(_births(arm, found)),
             first,
             last,
             sigma,
@@ -375,14 +375,13 @@ def _outside(run: Run) -> Run:
     return Run(**{**values, "inside": False})
 
 
-def _births(arm: TracedArm, legs: Sequence[LegSystem], found: Followed) -> list[Birth]:
+def _births(arm: TracedArm, found: Followed) -> list[Birth]:
     result = []
     for run in found.runs:
         if run.begin.kind == "path" and run.begin.at == 0.0:
             continue
         middle = run.knots(run.links[len(run.links) // 2])[1]
-        leg = run.links[len(run.links) // 2].leg
-        determinant = legs[leg].determinant(middle.balls())
+        determinant = arm.determinant(middle.balls()[:-1])
         sign = int(determinant > 0) - int(determinant < 0) or None
         first = (run.first.at[:-1] * arm.scales)[: arm.joints]
         end = "reached" if run.end.kind == "path" else run.end.kind

@@ -92,6 +92,20 @@ class TracedArm:
         """Which joints turn."""
         return np.array(self.balls.revolute)
 
+    def determinant(self, values: Sequence[arb]) -> arb:
+        """Det J of the task on a box of coordinates: no row is turned or scaled.
+
+        The rows are those of `robot.frames.jacobian`; slides are in the arm's unit,
+        which scales det J by a positive number.
+        """
+        placed = self.balls.placed(values)
+        rows = [list(row) for row in zip(*placed.speeds, strict=True)]
+        if self.signs is not None:
+            rows.append([arb(sign) for sign in self.signs])
+        elif self.task == "pose":
+            rows += [list(row) for row in zip(*placed.turns, strict=True)]
+        return arb_mat(rows).det()
+
     def system(self, first: Pose, second: Pose) -> LegSystem:
         """The equations of the leg from one pose to another.
 

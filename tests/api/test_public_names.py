@@ -14,6 +14,7 @@ NAMES = {
     *("load", "audit", "decide", "verify", "sweep", "check"),
     *("Audit", "SystemAudit", "Robot", "Verdict", "Verification", "Checked", "Swept"),
     *("CuspauditError", "__version__"),
+    *("postures", "same_aspect", "trace", "Postures", "Connection", "Trace"),
 }
 
 

@@ -1,0 +1,113 @@
+"""`cuspaudit postures`: all postures of one pose."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+from rich.console import Console
+
+from cuspaudit.cli.opening import open_named
+from cuspaudit.cli.options import (
+    AngleUnit,
+    Base,
+    Convention,
+    LengthUnit,
+    Lock,
+    RobotName,
+    Seed,
+    Snap,
+    TaskName,
+    Tip,
+)
+
+__all__ = ["postures"]
+
+
+def postures(
+    robot: RobotName,
+    joints: Annotated[
+        str | None,
+        typer.Option(
+            metavar="Q1,Q2,...", help="The pose of a joint vector; rad, or deg."
+        ),
+    ] = None,
+    position: Annotated[
+        str | None, typer.Option(metavar="X,Y,Z", help="The place of the tip.")
+    ] = None,
+    quaternion: Annotated[
+        str | None, typer.Option(metavar="W,X,Y,Z", help="Its orientation.")
+    ] = None,
+    rpy: Annotated[
+        str | None,
+        typer.Option(metavar="R,P,Y", help="Its orientation, about fixed x, y, z."),
+    ] = None,
+    base: Base = None,
+    tip: Tip = None,
+    task: TaskName = None,
+    lock: Lock = None,
+    convention: Convention = None,
+    angle_unit: AngleUnit = None,
+    length_unit: LengthUnit = None,
+    json_file: Annotated[
+        str | None,
+        typer.Option("--json", metavar="FILE", help="Write the list; - is stdout."),
+    ] = None,
+    snap: Snap = "default",
+    seed: Seed = 0,
+) -> None:
+    """List all postures of one pose: det J, sign, aspect, inside limits.
+
+    Exit codes: 0 the list is complete, proved (empty too); 3 it may not be.
+    """
+    from cuspaudit.robot.snap_policy import policy_from_name
+    from cuspaudit.robot.snapping import snap as snapped
+    from cuspaudit.runtime.writing import check_writable, write_text
+    from cuspaudit.toolpath.asked import asked_pose
+    from cuspaudit.toolpath.postures import list_postures, postures_record
+    from cuspaudit.toolpath.traced_arm import traced_arm
+
+    if json_file not in (None, "-"):
+        check_writable(Path(json_file or ""))
+    opened = open_named(
+        robot, base, tip, task, lock, convention, angle_unit, length_unit
+    )
+    arm = traced_arm(snapped(opened.chain, policy_from_name(snap))[0])
+    pose = asked_pose(arm, joints, position, quaternion, rpy)
+    found = list_postures(arm, pose, seed)
+    record = postures_record(found, opened.name, opened.file)
+    text = json.dumps(record, indent=1, allow_nan=False)
+    if json_file == "-":
+        typer.echo(text)
+    else:
+        if json_file:
+            write_text(Path(json_file), text)
+        _print(record)
+    raise typer.Exit(0 if found.complete else 3)
+
+
+def _print(record: dict[str, Any]) -> None:
+    console = Console(highlight=False, soft_wrap=True)
+    count = len(record["postures"])
+    known = "complete, proved" if record["complete"] else "may not be all"
+    console.print(f"{record['robot']['name']}: {count} postures ({known})")
+    for number, posture in enumerate(record["postures"]):
+        sign = {1: "+", -1: "-", 0: "0", None: "?"}[posture["sign"]]
+        near = posture["nearest_singular"]
+        parts = [
+            f"{number}",
+            ", ".join(f"{value:.4f}" for value in posture["values"]),
+            f"det J {posture['determinant']:.4g} ({sign})",
+            "" if posture["aspect"] is None else f"aspect {posture['aspect']}",
+            "" if posture["inside"] else "outside the limits",
+            "" if near is None else f"{near * 57.29578:.1f} deg from singular",
+        ]
+        console.print("  ".join(part for part in parts if part), markup=False)
+    if record["whole_curves"]:
+        console.print(
+            "infinitely many postures: whole curves of them may have this pose"
+        )
+    if record["why"]:
+        console.print(f"note: {record['why']}")

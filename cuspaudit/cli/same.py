@@ -1,0 +1,88 @@
+"""`cuspaudit same`: may one posture reach the other without a singularity?"""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from cuspaudit.cli.opening import open_named
+from cuspaudit.cli.options import (
+    AngleUnit,
+    Base,
+    Convention,
+    LengthUnit,
+    Lock,
+    RobotName,
+    Seed,
+    Snap,
+    TaskName,
+    Tip,
+)
+
+__all__ = ["same"]
+
+EXIT = {"same": 0, "different": 1, "open": 3}
+
+
+def same(
+    robot: RobotName,
+    first: Annotated[
+        str,
+        typer.Option("--from", metavar="Q1,Q2,...", help="A joint vector; rad, deg."),
+    ],
+    second: Annotated[
+        str, typer.Option("--to", metavar="Q1,Q2,...", help="Another one.")
+    ],
+    within_limits: Annotated[
+        bool, typer.Option("--within-limits", help="Keep within the joint limits.")
+    ] = False,
+    base: Base = None,
+    tip: Tip = None,
+    task: TaskName = None,
+    lock: Lock = None,
+    convention: Convention = None,
+    angle_unit: AngleUnit = None,
+    length_unit: LengthUnit = None,
+    json_file: Annotated[
+        str | None,
+        typer.Option("--json", metavar="FILE", help="Write the answer; - is stdout."),
+    ] = None,
+    snap: Snap = "default",
+    seed: Seed = 0,
+) -> None:
+    """Tell whether two joint vectors lie in one aspect: joined without a singularity.
+
+    Exit codes: 0 they do, proved; 1 they do not, proved; 3 open.
+    """
+    from cuspaudit.robot.snap_policy import policy_from_name
+    from cuspaudit.robot.snapping import snap as snapped
+    from cuspaudit.runtime.writing import check_writable, write_text
+    from cuspaudit.toolpath.asked import joint_vector
+    from cuspaudit.toolpath.same_aspect import connection_record, same_aspect
+    from cuspaudit.toolpath.traced_arm import traced_arm
+
+    if json_file not in (None, "-"):
+        check_writable(Path(json_file or ""))
+    opened = open_named(
+        robot, base, tip, task, lock, convention, angle_unit, length_unit
+    )
+    arm = traced_arm(snapped(opened.chain, policy_from_name(snap))[0])
+    ends = [
+        joint_vector(text, opened.chain, option)
+        for text, option in ((first, "--from"), (second, "--to"))
+    ]
+    found = same_aspect(arm, ends[0], ends[1], within_limits, seed)
+    record = connection_record(found, opened.name, opened.file)
+    text = json.dumps(record, indent=1, allow_nan=False)
+    if json_file == "-":
+        typer.echo(text)
+    else:
+        if json_file:
+            write_text(Path(json_file), text)
+        typer.echo(f"{found.answer}: {found.why}")
+        if found.path is not None:
+            typer.echo(f"path of {len(found.path)} points, with --json")
+    raise typer.Exit(EXIT[found.answer])

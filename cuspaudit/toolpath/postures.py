@@ -1,0 +1,194 @@
+"""All postures of one pose, side by side."""
+
+from __future__ import annotations
+
+from collections.abc import Hashable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from flint import arb, ctx
+
+from cuspaudit.toolpath.aspect_labels import aspect_labels
+from cuspaudit.toolpath.ball_arm import BITS
+from cuspaudit.toolpath.limits import joint_ranges, windings
+from cuspaudit.toolpath.margins import determinant, singular_distance
+from cuspaudit.toolpath.starts import solve_pose
+from cuspaudit.toolpath.strands import Known, known_postures
+from cuspaudit.toolpath.traced_arm import TracedArm
+from cuspaudit.toolpath.waypoints import Pose
+
+__all__ = ["Posture", "PostureList", "list_postures", "postures_record"]
+
+SCHEMA = "cuspaudit/postures/1"
+
+
+@dataclass(frozen=True)
+class Posture:
+    """One posture of the pose.
+
+    Attributes:
+        values: joint values of the robot, angles in (-pi, pi].
+        determinant: det J, nearly; slides in the longest fixed step of the arm.
+        sign: of det J, proved; 0 where it is proved to vanish, None where neither is.
+        aspect: the number of its aspect, from 1, in the order of this list; None where
+            it is not proved.
+        inside: whether a winding of it lies within the limits.
+        windings: those that do, as whole turns to add to ``values``.
+        nearest_singular: distance to a singular posture near by, rad; searched.
+        proved: whether a ball holds exactly one posture of the arm's own numbers here.
+    """
+
+    values: tuple[float, ...]
+    determinant: float
+    sign: int | None
+    aspect: int | None
+    inside: bool
+    windings: tuple[tuple[int, ...], ...]
+    nearest_singular: float
+    proved: bool
+
+
+@dataclass(frozen=True, eq=False)
+class PostureList:
+    """The postures of a pose, and what is proved about the list.
+
+    Attributes:
+        arm: the arm.
+        pose: the pose.
+        postures: sorted by aspect, then by the sign of det J.
+        complete: whether no other posture exists, proved.
+        whole_curves: whether infinitely many complex postures have the pose: real ones
+            may form whole curves, of which no posture is listed.
+        aspects: how many the arm has, proved; None where not.
+        grounds: what ``complete`` rests on.
+        why: why the list is not complete, or "".
+    """
+
+    arm: TracedArm
+    pose: Pose
+    postures: tuple[Posture, ...]
+    complete: bool
+    whole_curves: bool
+    aspects: int | None
+    grounds: tuple[str, ...]
+    why: str
+
+
+def list_postures(arm: TracedArm, pose: Pose, seed: int = 0) -> PostureList:
+    """All postures of a pose.
+
+    Args:
+        arm: an arm with a square task.
+        pose: with what the task needs.
+        seed: of the exact solver.
+
+    Raises:
+        UnableError: the tip of a four-joint arm never points so.
+    """
+    with ctx.workprec(BITS):
+        solved = solve_pose(arm, pose, seed)
+        labels = aspect_labels(arm)
+        system = arm.system(pose, pose)
+        found: list[tuple[Known, Hashable | None]] = []
+        for known in known_postures(arm, system, solved, 0.0):
+            label = None
+            if known.knot is not None and labels is not None:
+                label = labels.label(_balls(arm, known))
+            found.append((known, label))
+        order = sorted(found, key=lambda pair: -(pair[0].sign or 0))
+        names = {
+            label: number
+            for number, label in enumerate(
+                dict.fromkeys(label for _, label in order if label is not None), 1
+            )
+        }
+        order.sort(key=lambda pair: names.get(pair[1], 99))
+        postures = tuple(
+            _posture(arm, known, names.get(label)) for known, label in order
+        )
+    return PostureList(
+        arm,
+        pose,
+        postures,
+        solved.complete,
+        solved.whole_curves,
+        None if labels is None else labels.count,
+        solved.grounds,
+        solved.why,
+    )
+
+
+def _balls(arm: TracedArm, known: Known) -> list[arb]:
+    assert known.knot is not None
+    balls = known.knot.balls()[:-1]
+    return [ball * scale for ball, scale in zip(balls, arm.balls.scales, strict=True)]
+
+
+def _posture(arm: TracedArm, known: Known, aspect: int | None) -> Posture:
+    n = arm.joints
+    ranges = joint_ranges(arm.chain.joints, arm.scales)
+    reach = 0.0 if known.knot is None else float(known.knot.reach.max())
+    values, none = [arb(x, reach) for x in known.values], [0] * len(known.values)
+    every = windings(ranges, arm.balls.revolute, values, none)
+    inside = [turns[:n] for turns, sure in every if sure]
+    return Posture(
+        tuple((known.values * arm.scales + 0.0)[:n].tolist()),
+        determinant(arm, known.values),
+        known.sign,
+        aspect,
+        bool(inside),
+        tuple(inside),
+        singular_distance(arm, known.values),
+        known.knot is not None,
+    )
+
+
+def postures_record(found: PostureList, name: str, file: str) -> dict[str, Any]:
+    """The list as a JSON record, schema ``cuspaudit/postures/1``."""
+    chain = found.arm.robot_chain
+    return {
+        "schema": SCHEMA,
+        "robot": {
+            "name": name,
+            "file": file,
+            "joints": [joint.name for joint in chain.joints],
+            "task": chain.task,
+            "unit": chain.unit,
+            "exact": found.arm.model.is_exact,
+        },
+        "pose": {
+            "position": [float(x) for x in found.pose.position],
+            "quaternion": _unit(found.pose),
+        },
+        "postures": [
+            {
+                "values": list(posture.values),
+                "determinant": posture.determinant,
+                "sign": posture.sign,
+                "aspect": posture.aspect,
+                "inside": posture.inside,
+                "windings": [list(turns) for turns in posture.windings],
+                "nearest_singular": _finite(posture.nearest_singular),
+                "proved": posture.proved,
+            }
+            for posture in found.postures
+        ],
+        "complete": found.complete,
+        "whole_curves": found.whole_curves,
+        "aspects": found.aspects,
+        "rests_on": list(found.grounds),
+        "why": found.why or None,
+    }
+
+
+def _unit(pose: Pose) -> list[float] | None:
+    if pose.quaternion is None:
+        return None
+    entries: Sequence[float] = [float(x) for x in pose.quaternion]
+    size = float(np.linalg.norm(entries))
+    return [x / size for x in entries]
+
+
+def _finite(value: float) -> float | None:
+    return value if np.isfinite(value) else None
