@@ -76,8 +76,7 @@ def why_undecided(model: ExactModel) -> str | None:
     """Which settled structure an undecided arm is nearest to; None without any."""
     for near in nearest_structures(model):
         if is_regular_somewhere(near.model) and _is_settled(near):
-            distance = distance_text(near.length, near.angle, model.chain.unit)
-            away = distance or "less than 1e-12 of the reach"
+            away = distance_text(near.length, near.angle, model.chain.unit)
             return f"{away} from {structure_words(near.name)}, noncuspidal"
     return None
 

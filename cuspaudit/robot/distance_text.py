@@ -10,7 +10,9 @@ _IN_DEGREES = 0.1
 
 
 def distance_text(length: float, angle: float, unit: str) -> str:
-    """A shift and a tilt in words, two digits each; "" where both are 0.
+    """A shift and a tilt in words, two digits each.
+
+    Where both are 0 and the structure does not hold, they are less than rounding.
 
     Args:
         length: of the shift, in ``unit``.
@@ -30,7 +32,7 @@ def distance_text(length: float, angle: float, unit: str) -> str:
         parts.append(f"{_short(math.degrees(angle))} deg")
     elif angle > 0:
         parts.append(f"{_short(angle * 1000)} mrad")
-    return " and ".join(parts)
+    return " and ".join(parts) or "less than rounding"
 
 
 def structure_words(name: str) -> str:

@@ -123,10 +123,11 @@ def _tilts(
     side = np.where(m < 0, -1.0, 1.0)
     along = s * float(first.axis @ first.next) - float(first.step @ first.next)
     square = s * s - 2 * s * float(first.axis @ first.step) + first.step @ first.step
-    length = np.sqrt(square)
+    length = np.sqrt(np.maximum(square, 0))
     gap = np.arctan2(np.sqrt(np.maximum(square - along**2, 0)), side * along)
     rise = m * float(second.axis @ second.next) - float(second.step @ second.next)
     whole = m * m - 2 * m * float(second.axis @ second.step) + second.step @ second.step
+    far = np.sqrt(np.maximum(whole, 0))
     off = np.arctan2(np.sqrt(np.maximum(whole - rise**2, 0)), np.abs(rise))
 
     def aside(tilt: Vector) -> Vector:
@@ -135,7 +136,7 @@ def _tilts(
         return np.asarray(np.sqrt(square))
 
     def across(tilt: Vector) -> Vector:
-        return np.asarray(np.sqrt(whole) * np.sin(np.maximum(off - tilt, 0)))
+        return np.asarray(far * np.sin(np.maximum(off - tilt, 0)))
 
     return _balanced(aside, reach), _balanced(across, reach)
 

@@ -18,6 +18,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
+import numpy as np
+
 from cuspaudit.kinematics.exact_model import ExactModel, exact_model
 from cuspaudit.kinematics.nearest.concurrent import Meeting, concurrent
 from cuspaudit.kinematics.nearest.exact_arm import exact_arm
@@ -35,6 +37,8 @@ from cuspaudit.robot.chain import Chain
 __all__ = ["AxisMove", "NearStructure", "nearest_structures"]
 
 _ROUNDING = 1e-12
+_LONGEST = 1e100
+"""Lengths beyond it overflow in floating point: such arms get no list."""
 _TRIED = 4
 """So many ways of a pattern are written out, nearest first, until one passes."""
 
@@ -86,8 +90,9 @@ def nearest_structures(model: ExactModel) -> tuple[NearStructure, ...]:
 
     A structure that no arm near by has (axes that would meet are parallel) is left out.
     """
-    moves = _Moves(model.chain)
-    if moves.reach == 0:
+    with np.errstate(over="ignore", invalid="ignore"):
+        moves = _Moves(model.chain)
+    if not 0 < moves.reach < _LONGEST:
         return ()
     held: dict[Relation, bool] = {}
     found = (

@@ -225,3 +225,12 @@ def test_a_general_optimizer_finds_no_nearer_point(seed: int) -> None:
         ).success
     )
     assert least * 0.999 <= ours.size(reach) <= least * PREFERRED * 1.001
+
+
+def test_absurd_lengths_give_no_list_and_no_warning() -> None:
+    """Floating point cannot square a length of 1e300; one of 1e-300 is no zero."""
+    long = arm((1, Fraction(10**300), 1), (0, 1, 0), (90, 60, 0))
+    assert nearest_structures(exact_model(long)) == ()
+    short = near(arm((1, Fraction(1, 10**300), 1), (0, 1, 0), (90, 60, 0)))
+    assert not short["axes 2 and 3 meeting"].holds
+    assert short["axes 2 and 3 meeting"].length == 0
