@@ -75,6 +75,8 @@ function readOptions(top, count) {
     refuse("numbers", "literal or snapped");
   const limits = top.limits === undefined ? null : list(top.limits, "limits", readInterval);
   if (limits && limits.length !== count) refuse("limits", "one a joint");
+  if (limits?.at(-1) && top.robot.get("task") === "position-and-axis")
+    refuse("limits", "the virtual joint has none");
   if (top.tolerance === undefined) return { limits, tolerance: null };
   const { lengths, angles } = table(top.tolerance, "tolerance", ["lengths", "angles"]);
   const radii = [number(lengths, "tolerance.lengths"), number(angles, "tolerance.angles")];

@@ -10,10 +10,12 @@ const MOST_INTERVALS = 100000;
 const LARGEST_RADIUS = powerOfTwo(-30);
 
 /** Proves the certificate, or throws a Refusal; returns what was proved. */
-export function provePath({ robot, sign, postures: [first, second], path }) {
+export function provePath({ robot, limits, sign, postures: [first, second], path }) {
   if (!same(path[0], first)) throw new Refusal("the path does not start at the first posture");
   if (!same(path.at(-1), second)) throw new Refusal("the path does not end at the second posture");
+  path.forEach((point) => checkInside(limits, point.map(enclosed)));
   const box = truePosture(new Arm(robot, 1), first, second);
+  checkInside(limits, box);
   if (!differs(robot, box, first)) throw new Refusal("the two postures are the same");
   const atEnd = new Arm(robot, 1).determinant(box.map((x) => [x]));
   if (!hasSign(atEnd, sign)) throw new Refusal("det J at the second posture: sign not proved");
@@ -22,6 +24,13 @@ export function provePath({ robot, sign, postures: [first, second], path }) {
   const count = path.length - 1;
   return `cuspidal: two postures of one place, joined by a path of ${count} ` +
     `segment${count > 1 ? "s" : ""} with det J ${sign > 0 ? ">" : "<"} 0`;
+}
+
+/** Intervals of joint values lie strictly inside the limits. */
+export function checkInside(limits, box) {
+  const inside = (x, { lower, upper }) => enclosed(lower).h < x.l && x.h < enclosed(upper).l;
+  if (limits && !limits.every((pair, k) => !pair || inside(box[k], pair)))
+    throw new Refusal("the claim is not proved to lie inside the limits");
 }
 
 const same = (a, b) => a.every((x, k) => x.equals(b[k]));

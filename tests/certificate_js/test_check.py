@@ -143,6 +143,16 @@ def test_falsified_claims_are_refused_by_both(tmp_path: Path) -> None:
     assert both(tmp_path, claims) == [(False, False)] * len(claims)
 
 
+def test_limits_are_held_by_both(tmp_path: Path) -> None:
+    """A path just inside its limits is accepted, one that touches a limit refused."""
+    arm = issac()
+    low = min(row[1] for row in arm.path)
+    claims = []
+    for beyond in (Fraction(1, 10**6), Fraction(0), Fraction(-1, 10**6)):
+        claims.append(replace(arm, limits=(None, (low - beyond, Fraction(9)), None)))
+    assert both(tmp_path, claims) == [(True, True), (False, False), (False, False)]
+
+
 def test_a_file_that_is_not_there_is_refused(tmp_path: Path) -> None:
     """No crash, and no answer but no."""
     missing = tmp_path / "nowhere.json"
@@ -260,10 +270,10 @@ def check_mutants(folder: Path, count: int, seed: int) -> tuple[int, int]:
 
 
 def test_one_digit_makes_a_claim_false_to_both(tmp_path: Path) -> None:
-    """A hundred mutants: some are false, some still true, and both see which."""
-    false, accepted = check_mutants(tmp_path, 100, 1)
-    assert false >= 30
-    assert accepted >= 10
+    """Forty mutants: some are false, some still true, and both see which."""
+    false, accepted = check_mutants(tmp_path, 40, 1)
+    assert false >= 12
+    assert accepted >= 4
 
 
 @pytest.mark.slow
