@@ -67,7 +67,7 @@ class Couple:
     """Two points of V over one value, in one component of V - {Delta = 0}.
 
     Attributes:
-        value: q in Q^d.
+        value: q in Q^d; c and s of every angle.
         points: the two points, exactly.
         sign: of Delta at both; 1 when there are several minors.
         path: (m, n) way points on V from the first to the second, in floating point.
@@ -169,7 +169,8 @@ class _Search:
         own = essential.variety
         height = next(heights(own, essential.minors, seed))
         self._ways = GuessedWays(Landscape(own, essential.dimension, height), seed)
-        self._values = Evaluator(self._ring, mapping.components)
+        self._flat = len(mapping.components)
+        self._values = Evaluator(self._ring, mapping.functions)
         self._points = random_points(own, seed)
         self._everywhere = random_points(essential.whole, seed)
         self._nearby = random_points(essential.whole, seed, minors)
@@ -189,10 +190,19 @@ class _Search:
             point = next(self._nearby if near else self._everywhere, None)
             if point is None:
                 continue
-            value = tuple(map(_simple, self._values.floats(point)))
+            value = self._near(self._values.floats(point))
             if value not in seen:
                 seen.add(value)
                 yield value
+
+    def _near(self, values: Sequence[float]) -> Value:
+        """A value of small fractions; points of circles by their half-angles."""
+        flat, round_ = values[: self._flat], values[self._flat :]
+        found = list(map(_simple, flat))
+        for c, s in zip(round_[::2], round_[1::2], strict=True):
+            t = _simple(s / (1 + c) if c > -0.999 else 1000.0)
+            found += [(1 - t * t) / (1 + t * t), 2 * t / (1 + t * t)]
+        return tuple(found)
 
     def couples(
         self, value: Value, fiber: ZeroDimensionalParametrization
@@ -262,8 +272,7 @@ def _fiber(
     seed: int,
 ) -> ZeroDimensionalParametrization | None:
     """The fiber over a value, or points of it; None if it is infinite or too large."""
-    targets = zip(mapping.components, value, strict=True)
-    system = (*variety.equations, *(r - q for r, q in targets))
+    system = (*variety.equations, *mapping.over(value))
     ring = variety.ring
     try:
         return solve_zero_dimensional(

@@ -9,7 +9,8 @@
 
 Correct by Proposition 10 of the paper under assumption (A), which is checked. Points of
 one fiber at which a factor of Delta has different signs are not connected, so they are
-never asked for.
+never asked for; where this parts all points of all fibers, R is noncuspidal whatever
+the components are, and a route that is unable to list them does no harm.
 
 A couple needs none of the lists that make this complete, so one is looked for first
 (``cuspidality.couple_first``); what the verdict does not need is then left out, unless
@@ -35,6 +36,7 @@ from cuspaudit.algebra.parametrization import (
 )
 from cuspaudit.algebra.ring import Polynomial
 from cuspaudit.algebra.system import PolynomialMap, PolynomialSystem
+from cuspaudit.algebra.union import restricted
 from cuspaudit.cuspidality.couple_first import (
     Couple,
     Value,
@@ -48,6 +50,7 @@ from cuspaudit.errors import (
     TimeLimitError,
     UnableError,
 )
+from cuspaudit.geometry.angles import check_angles, rolled, unrolled
 from cuspaudit.geometry.assumption_a import check_assumption_a
 from cuspaudit.geometry.atypical_values import AtypicalValues, atypical_values
 from cuspaudit.geometry.cells.axis_order import axis_order
@@ -58,7 +61,7 @@ from cuspaudit.geometry.fibers.generic_fiber import GenericFiber
 from cuspaudit.geometry.idle_circles import without_idle_circles
 from cuspaudit.geometry.roadmap import roadmap
 from cuspaudit.geometry.routing import morse_graph, routing
-from cuspaudit.runtime.clock import time_limit
+from cuspaudit.runtime.clock import seconds_left, time_limit
 from cuspaudit.runtime.steps import Step, Steps
 
 __all__ = ["Couple", "Decision", "Engine", "decide", "points_over"]
@@ -66,9 +69,11 @@ __all__ = ["Couple", "Decision", "Engine", "decide", "points_over"]
 Engine = Literal["auto", "roadmap", "routing"]
 
 _UNLIMITED = 1e6
-#: seconds for what a couple does not need, and for a proof among that
+#: seconds for what a verdict does not need: with a couple, for a proof among that, and
+#: for the components where signs part all points
 _EXTRA = 4.0
 _BRIEF = 0.5
+_COUNTING = 10.0
 _EXACT = ("FLINT resultants", "FLINT root isolation", "exact signs", "ball arithmetic")
 
 
@@ -175,7 +180,10 @@ def decide(
                 if unable is not None:
                     raise unable
                 values = _prepare(run, steps, seed)
-                _connect(run, steps, values, engine, seed)
+                if engine == "auto" and _are_parted(run):
+                    _by_signs(run, steps, values, seed)
+                else:
+                    _connect(run, steps, values, engine, seed)
     except TimeLimitError as limit:
         run.failure = TimeLimitError(steps.current, limit.seconds)
     except UnableError as limit:
@@ -192,7 +200,8 @@ def _check(run: Decision, steps: Steps) -> UnableError | None:
 
     A couple is one without it when V is given by n - d equations.
     """
-    variety, dimension = run.variety, len(run.mapping.components)
+    variety, dimension = run.variety, run.mapping.dimension
+    check_angles(variety, run.mapping)
     steps.begin("crit")
     run.minors = crit(variety, run.mapping)
     steps.begin("check_assumption_a")
@@ -212,7 +221,7 @@ def _couple_first(run: Decision, steps: Steps, seed: int) -> None:
     """A verdict by one couple, in half of the time; and what is soon known besides."""
     variety, mapping, minors = run.variety, run.mapping, run.minors
     steps.begin("find_couple")
-    essential = without_idle_circles(variety, len(mapping.components), minors)
+    essential = without_idle_circles(variety, mapping.dimension, minors)
     left = _share(steps, 2)
     try:
         with time_limit(left()):
@@ -268,7 +277,7 @@ def _prepare(run: Decision, steps: Steps, seed: int) -> tuple[GenericFiber, Open
     """Steps 3 to 8 of the algorithm: g, Q and the points over Q."""
     variety, mapping = run.variety, run.mapping
     steps.begin("atypical_values")
-    values = atypical_values(variety, mapping, _limit(steps), seed)
+    values = atypical_values(*unrolled(variety, mapping), _limit(steps), seed)
     run.atypical = values.polynomials
     steps.begin("sample_points_rational")
     fiber = values.fiber
@@ -278,9 +287,35 @@ def _prepare(run: Decision, steps: Steps, seed: int) -> tuple[GenericFiber, Open
     steps.begin("sample_points")
     for value in cells.samples.values():
         own = tuple(value[order.index(i)] for i in range(len(order)))
-        run.samples[own] = points_over(fiber, value).real_points()
+        points = points_over(fiber, value)
+        if mapping.angles:
+            points = restricted(points, variety.ring.variables, points.form, seed)
+            own = rolled(mapping, own)
+        run.samples[own] = points.real_points()
     run.most_is_proved = True
     return fiber, cells
+
+
+def _are_parted(run: Decision) -> bool:
+    """Whether the signs of the factors of Delta part all points of every fiber."""
+    factors, ring = _factors(run.minors), run.variety.ring
+    for points in run.samples.values():
+        signs = {tuple(p.sign(f, ring) for f in factors) for p in points}
+        if len(signs) < len(points):
+            return False
+    return True
+
+
+def _by_signs(
+    run: Decision, steps: Steps, values: tuple[GenericFiber, OpenCells], seed: int
+) -> None:
+    """Noncuspidal; and the components, where half of the time is enough for them."""
+    run.engine, run.verdict, run.rests_on = "signs", Verdict.NONCUSPIDAL, _EXACT[:3]
+    with (
+        suppress(UnableError, RetryableError),
+        time_limit(_share(steps, 2, _COUNTING)()),
+    ):
+        _connect(run, steps, values, "auto", seed)
 
 
 def points_over(
@@ -310,6 +345,10 @@ def _connect(
 ) -> None:
     """Steps 9 to 14: connectivity by one route, or the other where that is unable."""
     routes = ("roadmap", "routing") if engine == "auto" else (engine,)
+    if run.mapping.angles:  # the cells are those of a chart that cuts circles
+        if engine == "roadmap":
+            raise UnableError("roadmap", "the map has angles; the routing decides it")
+        routes = ("routing",)
     for route in routes:
         try:
             steps.begin(route)
@@ -371,7 +410,9 @@ def _factors(minors: Sequence[Polynomial]) -> list[Polynomial]:
 
 
 def _limit(steps: Steps) -> float:
-    return _UNLIMITED if steps.left is None else steps.left
+    return min(
+        left for left in (steps.left, seconds_left(), _UNLIMITED) if left is not None
+    )
 
 
 def _share(steps: Steps, parts: int, most: float = _UNLIMITED) -> Callable[[], float]:

@@ -28,7 +28,8 @@ def crit(variety: PolynomialSystem, mapping: PolynomialMap) -> tuple[Polynomial,
         variety: V = {f = 0}, s equations in n variables over K. Assumption (A) of the
             paper (radical, equidimensional of dimension d) is not checked here but by
             ``geometry.assumption_a``.
-        mapping: R = (r_1, ..., r_d), same ring, s + d >= n.
+        mapping: R = (r_1, ..., r_d), same ring, s + d >= n. The row of an angle
+            (c, s) is c ds - s dc, its differential on V.
 
     Returns:
         The nonzero minors, each once, in the lexicographic order of their rows; none
@@ -48,6 +49,8 @@ def crit(variety: PolynomialSystem, mapping: PolynomialMap) -> tuple[Polynomial,
     """
     ring = variety.ring
     rows = jacobian(ring, (*variety.equations, *mapping.components))
+    for c, s in mapping.angles:
+        rows.append([c * s.derivative(x) - s * c.derivative(x) for x in ring.variables])
     size = len(ring.variables)
     if len(rows) < size:
         raise NotSquareError(rows=len(rows), variables=size)

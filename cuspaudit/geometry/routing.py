@@ -184,7 +184,7 @@ def routing(
     """
     found = morse_graph(
         variety,
-        len(mapping.components),
+        mapping.dimension,
         minors,
         seed=seed,
         timeout=timeout,

@@ -13,7 +13,7 @@ from contextvars import ContextVar
 
 from cuspaudit.errors import TimeLimitError
 
-__all__ = ["Clock", "Progress", "check_time", "time_limit"]
+__all__ = ["Clock", "Progress", "check_time", "seconds_left", "time_limit"]
 
 Progress = Callable[[str], None]
 
@@ -38,6 +38,12 @@ def time_limit(seconds: float | None) -> Iterator[None]:
         yield
     finally:
         _LIMIT.reset(token)
+
+
+def seconds_left() -> float | None:
+    """The seconds until the limit in force, at least 0; None without one."""
+    limit = _LIMIT.get()
+    return None if limit is None else max(0.0, limit[0] - time.perf_counter())
 
 
 def check_time(step: str) -> None:

@@ -5,15 +5,16 @@
     name: Whitney cusp                 # optional, like title and source
     variables: [x, y]
     equations: []                      # f; may be left out for V = R^n
-    map: ["x^3 + x*y", "y"]            # R
+    map: ["x^3 + x*y", "y"]            # R; an angle is written {angle: [c, s]}
     expect: {verdict: cuspidal, aspects: 2}    # optional
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import TypeGuard
 
 from cuspaudit.algebra.polynomial_text import VARIABLE, parse_polynomial
 from cuspaudit.algebra.ring import Polynomial, Ring
@@ -88,7 +89,7 @@ class _Reader:
             raise self._error("", f"unknown key {listing(unknown)}", expected)
         ring = Ring(self._variables())
         equations = self._polynomials(ring, "equations", at_least=0)
-        components = self._polynomials(ring, "map", at_least=1)
+        components, angles = self._map(ring)
         words = {key: self.entries.get(key, "") for key in _WORDS}
         for key, value in words.items():
             if not isinstance(value, str):
@@ -97,7 +98,7 @@ class _Reader:
             self.file,
             str(words["name"]) or Path(self.file).stem,
             PolynomialSystem(ring, tuple(p for p in equations if p != 0)),
-            PolynomialMap(ring, components),
+            PolynomialMap(ring, components, angles),
             self._expect(),
         )
 
@@ -110,6 +111,30 @@ class _Reader:
             if names.count(name) > 1:
                 raise self._error("variables", f"{quoted(name)} twice", "name it once")
         return names
+
+    def _map(
+        self, ring: Ring
+    ) -> tuple[tuple[Polynomial, ...], tuple[tuple[Polynomial, Polynomial], ...]]:
+        """The components and the angles of the map, either in the order of the file."""
+        value = self.entries.get("map", [])
+        plain, angles = list[object](), list[tuple[Polynomial, Polynomial]]()
+        for i, entry in enumerate(value if isinstance(value, list) else []):
+            if not isinstance(entry, dict):
+                plain.append(entry)
+                continue
+            pair = entry.get("angle")
+            if list(entry) != ["angle"] or not _are_two(pair):
+                expected = "write {angle: [c, s]} with c^2 + s^2 = 1 on V"
+                raise self._error(f"map[{i}]", "not an angle", expected)
+            c, s = (
+                parse_polynomial(ring, text, self.file, f"map[{i}] angle")
+                for text in pair
+            )
+            angles.append((c, s))
+        if not angles:
+            return self._polynomials(ring, "map", at_least=1), ()
+        read = replace(self, entries={**self.entries, "map": plain})
+        return read._polynomials(ring, "map", at_least=0), tuple(angles)
 
     def _polynomials(
         self, ring: Ring, key: str, at_least: int
@@ -153,3 +178,11 @@ class _Reader:
         return InvalidSystemError(
             file=self.file, where=where, found=found, expected=expected
         )
+
+
+def _are_two(value: object) -> TypeGuard[list[str]]:
+    return (
+        isinstance(value, list)
+        and len(value) == 2
+        and all(isinstance(text, str) for text in value)
+    )

@@ -101,7 +101,10 @@ def _record(system: SystemFile, run: Decision, seed: int) -> dict[str, Any]:
             "file": system.file,
             "variables": list(system.variety.ring.variables),
             "equations": [str(f) for f in system.variety.equations],
-            "map": [str(r) for r in system.mapping.components],
+            "map": [
+                *(str(r) for r in system.mapping.components),
+                *(f"angle [{c}, {s}]" for c, s in system.mapping.angles),
+            ],
         },
         "verdict": run.verdict.value,
         "proof": _proof(run),
@@ -153,9 +156,11 @@ def _why(run: Decision) -> str:
         return f"two points over ({value}) lie in one component of V - {{Delta = 0}}"
     if run.failure is not None:
         return str(run.failure)
+    cells = f"over {count} sample values, one at least in every cell without atypical "
+    if run.engine == "signs":
+        return f"{cells}values, the factors of Delta differ in sign at any two points"
     return (
-        f"over {count} sample values, one at least in every cell without atypical "
-        "values, all points of a fiber lie in different ones of the "
+        f"{cells}values, all points of a fiber lie in different ones of the "
         f"{run.components} components of V - {{Delta = 0}}"
     )
 

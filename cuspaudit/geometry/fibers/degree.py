@@ -5,10 +5,11 @@
 dim Q[x] / <f, R - q> <= N. Then every fiber of R on V has at most N points at which
 jac(f, R) has rank n.
 
-*Proof.* The multiples are those of f and r_j - y_j over Q[y], specialised at y = q;
-they have the same monomials, as only constant terms depend on y. A minor of their
-matrix that is not 0 at q modulo a prime is not 0, so the lemma of that module holds
-over the field Q(y) with the same sets of monomials: a generic fiber has N points at
+*Proof.* The multiples are those of f and r_j - y_j over Q[y], specialised at y = q
+(of an angle, over the functions on the circle); they have the same monomials, as only
+constant terms depend on y. A minor of their matrix that is not 0 at q modulo a prime is
+not 0, so the lemma of that module holds over the field of these functions with the
+same sets of monomials: a generic fiber has N points at
 most. Points where jac(f, R) has rank n are isolated and simple; each goes on to the
 fibers over nearby values, complex ones too, and so to generic ones. QED
 """
@@ -41,7 +42,7 @@ def has_degree_at_most(
         points: N.
         seconds: for the proof; it may take somewhat longer.
     """
-    moved = [r - q for r, q in zip(mapping.components, value, strict=True)]
+    moved = mapping.over(value)
     constant = (0,) * len(variety.ring.context.names())
     if variety.ring.radicand is not None:
         return False
