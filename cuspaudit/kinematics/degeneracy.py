@@ -10,11 +10,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from cuspaudit.algebra.ring import Polynomial
+from cuspaudit.kinematics.distant_axes import (
+    always_coincide,
+    always_orthogonal,
+    always_parallel,
+    dependent,
+)
 from cuspaudit.kinematics.exact_model import ExactModel
 from cuspaudit.kinematics.neighbors import concurrent
-from cuspaudit.kinematics.polynomial_map import reduce_circles
-from cuspaudit.kinematics.transform import Column, Transform, cross, dot, identity, zero
+from cuspaudit.kinematics.transform import cross
 
 __all__ = ["cause_of_degeneracy"]
 
@@ -36,7 +40,9 @@ def _causes(model: ExactModel) -> Iterator[str]:
     turning = [k for k in range(count) if joints[k].kind == "revolute"]
     sliding = [k for k in range(count) if joints[k].kind == "prismatic"]
     real = count - model.chain.joints[-1].is_virtual
-    if len(turning) == count and all(_parallel(model, 0, k) for k in range(1, real)):
+    if len(turning) == count and all(
+        always_parallel(model, 1, k) for k in range(2, real + 1)
+    ):
         yield f"all {_NUMBERS[real]} axes are parallel"
     yield from _same_lines(model, turning)
     yield from _few_translations(model, sliding)
@@ -55,7 +61,7 @@ def _same_lines(model: ExactModel, turning: Sequence[int]) -> Iterator[str]:
     """Two joints that turn about one line in every posture."""
     for at, i in enumerate(turning):
         for j in turning[at + 1 :]:
-            if _coincide(model, i, j):
+            if always_coincide(model, i + 1, j + 1):
                 if model.chain.joints[j].is_virtual:
                     yield f"{model.joints[i].name} turns about the tool axis itself"
                 else:
@@ -66,22 +72,21 @@ def _few_translations(model: ExactModel, sliding: Sequence[int]) -> Iterator[str
     """Slides whose directions are dependent in every posture."""
     for at, i in enumerate(sliding):
         for j in sliding[at + 1 :]:
-            if _parallel(model, i, j):
+            if always_parallel(model, i + 1, j + 1):
                 yield f"slides {i + 1} and {j + 1} are parallel"
     if len(sliding) > 3:
         yield f"{_NUMBERS[len(sliding)]} joints slide, and space has three directions"
     if len(sliding) == 3:
-        a, b, c = (_seen(model, sliding[0], k)[0] for k in sliding)
-        if _vanish(model, [dot(model.ring, a, cross(model.ring, b, c))]):
-            numbers = ", ".join(str(k + 1) for k in sliding)
-            yield f"slides {numbers} stay in the directions of one plane"
+        i, j, k = (index + 1 for index in sliding)
+        if dependent(model, i, j, k):
+            yield f"slides {i}, {j}, {k} stay in the directions of one plane"
 
 
 def _few_turns(model: ExactModel, turning: Sequence[int]) -> Iterator[str]:
     """Three joints that turn the tip, about directions that stay dependent."""
     for at, i in enumerate(turning):
         for j in turning[at + 1 :]:
-            if _parallel(model, i, j):
+            if always_parallel(model, i + 1, j + 1):
                 yield f"axes {i + 1} and {j + 1} are parallel, and three joints turn"
 
 
@@ -91,7 +96,7 @@ def _about_the_tip(model: ExactModel, turning: Sequence[int]) -> Iterator[str]:
     if count - 1 in turning:
         last = model.joints[-1]
         off = cross(model.ring, model.tool.translation, last.axis)
-        if _vanish(model, off):
+        if all(entry == 0 for entry in off):
             yield f"the tip lies on axis {count}"
     if count == 3 and len(turning) == 3 and concurrent(model, 1):
         yield "axes 1, 2, 3 meet in one point, about which the tip stays on a sphere"
@@ -112,10 +117,8 @@ def _planes(model: ExactModel, turning: Sequence[int]) -> Iterator[str]:
 
 def _keeps_plane(model: ExactModel, axis: int, joint: int, turns: bool) -> bool:
     """Whether a joint turns about the axis's direction, or slides across it."""
-    if turns:
-        return _parallel(model, axis, joint)
-    there = _seen(model, axis, joint)[0]
-    return _vanish(model, [dot(model.ring, model.joints[axis].axis, there)])
+    test = always_parallel if turns else always_orthogonal
+    return axis == joint or test(model, axis + 1, joint + 1)
 
 
 def _meet(model: ExactModel, first: int) -> bool:
@@ -125,40 +128,6 @@ def _meet(model: ExactModel, first: int) -> bool:
     axes.
     """
     return concurrent(model, first + 1) and concurrent(model, first + 2)
-
-
-def _parallel(model: ExactModel, i: int, j: int) -> bool:
-    return _vanish(
-        model, cross(model.ring, model.joints[i].axis, _seen(model, i, j)[0])
-    )
-
-
-def _coincide(model: ExactModel, i: int, j: int) -> bool:
-    if not _parallel(model, i, j):
-        return False
-    return _vanish(
-        model, cross(model.ring, model.joints[i].axis, _seen(model, i, j)[1])
-    )
-
-
-def _seen(model: ExactModel, i: int, j: int) -> tuple[Column, Column]:
-    """Direction of axis j and a point of it, in the moved frame of joint i."""
-    first, last = min(i, j), max(i, j)
-    ring = model.ring
-    frame = Transform(ring, identity(ring), zero(ring))
-    for k in range(first + 1, last + 1):
-        frame = frame @ model.joints[k].before
-        if k < last:
-            frame = frame @ model.motion(model.joints[k])
-    if j < i:
-        frame = frame.inverse()
-    return frame.turn(model.joints[j].axis), frame.translation
-
-
-def _vanish(model: ExactModel, entries: Sequence[Polynomial]) -> bool:
-    """Whether polynomials are 0 wherever the joints may stand."""
-    reduced = (reduce_circles(model.ring, model.joints, entry) for entry in entries)
-    return all(entry == 0 for entry in reduced)
 
 
 def _axes(run: Sequence[int]) -> str:

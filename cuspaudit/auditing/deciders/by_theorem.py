@@ -55,12 +55,17 @@ def _settled(case: Case, clock: Clock) -> Answer:
             "reductions",
             "none of the structures that decide a six-joint arm holds exactly",
             looked_for(model.chain.task),
-            "a witness path, or an exact count of the aspects of a general 6R arm",
+            f"a witness path, or a theorem on arms {_letters(model)}",
             count_aspects(model),
         )
     if reduction.regional is None:
         return _noncuspidal(model, reduction)
     return _of_six(model, reduction, _of_three(case, reduction.regional, clock))
+
+
+def _letters(model: ExactModel) -> str:
+    """The kinds of the joints, such as PRRRRR."""
+    return "".join("P" if kind == "prismatic" else "R" for kind in model.chain.kinds)
 
 
 def _of_three(case: Case, regional: ExactModel, clock: Clock) -> Answer:
@@ -78,7 +83,7 @@ def _of_six(model: ExactModel, reduction: Reduction, regional: Answer) -> Answer
         return replace(regional, model=model, aspects=None)
     aspects, postures = _twice(regional.aspects), _twice(regional.postures)
     if regional.verdict is Verdict.CUSPIDAL and not reduction.is_equivalent:
-        why = f"{reduction.why}, and they are: the theorem says no more"
+        why = f"{reduction.why}, but they are cuspidal: the theorem says no more"
         settle = "a witness path"
         tried = looked_for(model.chain.task)
         return undecided(

@@ -7,9 +7,11 @@ from __future__ import annotations
 
 from cuspaudit.kinematics.exact_model import ExactModel
 from cuspaudit.kinematics.theorems.four_joints import PARALLEL_AXES, YAW_AND_PITCH
+from cuspaudit.kinematics.theorems.plane_and_pair import PLANE_AND_PAIR
 from cuspaudit.kinematics.theorems.spherical_shoulder import SPHERICAL_SHOULDER
 from cuspaudit.kinematics.theorems.spherical_wrist import SPHERICAL_WRIST
 from cuspaudit.kinematics.theorems.theorem import Reduction, Theorem
+from cuspaudit.kinematics.theorems.three_slides import THREE_SLIDES
 from cuspaudit.kinematics.theorems.triple_and_pair import TRIPLE_AND_PAIR
 from cuspaudit.kinematics.theorems.ur_pattern import UR_PATTERN
 
@@ -20,6 +22,8 @@ THEOREMS: tuple[Theorem, ...] = (
     SPHERICAL_SHOULDER,
     UR_PATTERN,
     TRIPLE_AND_PAIR,
+    THREE_SLIDES,
+    PLANE_AND_PAIR,
     PARALLEL_AXES,
     YAW_AND_PITCH,
 )

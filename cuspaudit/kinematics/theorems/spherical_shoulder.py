@@ -23,7 +23,7 @@ def spherical_shoulder(model: ExactModel) -> Reduction | None:
     if wrist is None:
         return None
     why = wrist.why.replace("4, 5, 6", "1, 2, 3").replace(
-        "its first three joints", "its last three joints, taken from tip to base"
+        "the first three joints", "the last three joints, taken from tip to base"
     )
     return replace(wrist, kind="spherical shoulder", why=why, is_reversed=True)
 

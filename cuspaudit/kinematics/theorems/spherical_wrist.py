@@ -47,11 +47,12 @@ def spherical_wrist(model: ExactModel) -> Reduction | None:
     if not concurrent(model, 4):
         return None
     free = _meets_at_right_angles(model)
-    exactly = "exactly when" if free else "only if"
+    # however it is wrapped, no line of it may read as a verdict
+    weight = "decide the arm" if free else "may prove it noncuspidal"
     return Reduction(
         "spherical wrist",
-        f"axes 4, 5, 6 meet in one point, so the arm is cuspidal {exactly} its first "
-        "three joints, moving that point, are",
+        f"axes 4, 5, 6 meet in one point, and the first three joints, which move that "
+        f"point, {weight}",
         _regional(model),
         free,
         orthogonal(model, 4) and orthogonal(model, 5),

@@ -129,15 +129,16 @@ def test_the_determinant_of_the_ur_pattern() -> None:
 
 
 @pytest.mark.parametrize("kinds", ["PRRRRR", "RRRPRR", "RRRRRP"])
-def test_only_revolute_arms_are_reduced(kinds: str) -> None:
-    """A sliding joint ends the search."""
-    assert reduced(arm(*UR, kinds)) is None
+def test_theorems_on_turns_say_nothing_of_slides(kinds: str) -> None:
+    """With a sliding joint only a theorem on slides may hold."""
+    found = reduced(arm(*UR, kinds))
+    assert found is None or found.kind in ("plane and pair", "three slides")
 
 
 def test_what_is_looked_for_is_listed() -> None:
     """One line a structure, and the names of all."""
     names = looked_for("pose")
-    assert len(names) == 4
+    assert len(names) == 6
     assert "UR pattern" in names[2]
 
 
