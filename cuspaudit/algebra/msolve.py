@@ -26,6 +26,7 @@ from pathlib import Path
 from cuspaudit.algebra.ring import Polynomial, Ring
 from cuspaudit.algebra.trigonometric import primitive
 from cuspaudit.errors import InvalidSystemError, SetUpError, UnableError
+from cuspaudit.runtime.clock import time_left
 
 __all__ = ["Box", "find_msolve", "msolve_text", "parse_real_solutions", "run_msolve"]
 
@@ -106,7 +107,7 @@ def run_msolve(
     Args:
         text: from `msolve_text`.
         options: command-line options such as ("-P", "2"), one thread unless "-t".
-        timeout: in s.
+        timeout: in s; never longer than the limit in force.
         seed: of its random choices; the same seed gives the same answer.
 
     Raises:
@@ -114,6 +115,7 @@ def run_msolve(
         UnableError: msolve fails, or takes longer than ``timeout``.
     """
     program = find_msolve()
+    timeout = min(timeout, time_left("msolve"))
     with tempfile.TemporaryDirectory(prefix="cuspaudit-msolve-") as folder:
         source, answer = Path(folder, "in.ms"), Path(folder, "out.ms")
         source.write_text(text, encoding="ascii")

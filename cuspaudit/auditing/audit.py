@@ -30,7 +30,7 @@ from cuspaudit.robot.chain import Chain
 from cuspaudit.robot.robot import Robot
 from cuspaudit.robot.snapping import Snapped, snap
 from cuspaudit.robot.virtual_joint import with_virtual_joint
-from cuspaudit.runtime.clock import Clock
+from cuspaudit.runtime.clock import Clock, time_limit
 
 __all__ = ["Audit", "Options", "audit"]
 
@@ -49,13 +49,15 @@ def audit(robot: Robot, options: Options | None = None) -> Audit:
         chain, snapped = snap(robot.chain, options.snap)
         literal = with_virtual_joint(robot.chain)
         case = Case(exact_model(chain), literal, options.seed, options.engine)
-    found = _decide(robot, case, clock)
-    with clock.stage("aspects"):
-        found = _with_aspects(found, clock)
+    with time_limit(clock.left):
+        found = _decide(robot, case, clock)
+        with clock.stage("aspects"):
+            found = _with_aspects(found, clock)
     with clock.stage("structures"):
         structures = near_structures(found)
     with clock.stage("literal"):
-        verdict, proof = _literal(replace(case, so_far=found), clock)
+        with time_limit(clock.left):
+            verdict, proof = _literal(replace(case, so_far=found), clock)
         why = None
         if verdict is Verdict.UNDECIDED:
             why = why_undecided(exact_model(literal))

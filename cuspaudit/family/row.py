@@ -13,13 +13,18 @@ from cuspaudit.auditing.deciders.certify import find_witness
 from cuspaudit.auditing.deciders.decide import decide
 from cuspaudit.count import Count
 from cuspaudit.cuspidality.verdict import Verdict
-from cuspaudit.errors import CuspauditError, InvalidRobotError, UnableError
+from cuspaudit.errors import (
+    CuspauditError,
+    InvalidRobotError,
+    TimeLimitError,
+    UnableError,
+)
 from cuspaudit.family.expressions import Value
 from cuspaudit.family.family import Family, exact_text
-from cuspaudit.family.time_limit import TimeUp, time_limit
 from cuspaudit.kinematics.exact_model import exact_model
 from cuspaudit.robot.chain import Angle, Chain
 from cuspaudit.robot.virtual_joint import with_virtual_joint
+from cuspaudit.runtime.alarm import TimeUp, alarm
 from cuspaudit.runtime.clock import Clock
 
 __all__ = ["Row", "decide_member", "failed_member"]
@@ -35,17 +40,18 @@ def decide_member(family: Family, index: int, timeout: float | None = None) -> R
     Args:
         family: the family.
         index: of the member.
-        timeout: seconds it may take, or None; see `time_limit` for where it works.
+        timeout: seconds it may take, or None; see `alarm` for where it works.
     """
     row = _parameters(family, index)
     begun = time.perf_counter()
     try:
-        with time_limit(timeout):
+        with alarm(timeout):
             row |= _decided(family, index)
     except CuspauditError as error:
         row["error"] = _one_line(error)
     except TimeUp:
-        row["error"] = f"the time limit of {timeout:g} s a member has passed"
+        assert timeout is not None, "an alarm was set"
+        row["error"] = str(TimeLimitError("member", timeout))
     except Exception as error:  # one bad member is a row, not the end of a sweep
         row["error"] = f"internal error: {type(error).__name__}: {_one_line(error)}"
     row["seconds"] = round(time.perf_counter() - begun, 4)

@@ -30,7 +30,6 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import pairwise
-from time import monotonic
 
 import networkx as nx
 import numpy as np
@@ -61,6 +60,7 @@ from cuspaudit.geometry.lifts.continuation import (
 from cuspaudit.geometry.lifts.lifting import Box, Chart
 from cuspaudit.geometry.sheets.sheet_crossing import cross, only_met
 from cuspaudit.geometry.sheets.wall_points import WallPoints
+from cuspaudit.runtime.clock import check_time, time_limit
 
 __all__ = ["Roadmap", "Sheet", "roadmap"]
 
@@ -241,7 +241,7 @@ def roadmap(
         mapping: R: V -> R^d.
         fiber: the generic fiber of R, if it is known already.
         cells: its open cells, if they are known already.
-        timeout: in s; looked at between steps.
+        timeout: in s.
         seed: of msolve's random choices.
         progress: called with the name of each step before it runs.
 
@@ -249,11 +249,21 @@ def roadmap(
         DegenerateMapError: the values of R fill no open set.
         UnableError: too large, too long, or a wall that could not be decided.
     """
-    clock = _Clock("roadmap", monotonic() + timeout)
-    if fiber is None:
-        progress("atypical_values")
-        fiber = generic_fiber(variety, mapping, timeout, seed)
-    clock.check()
+    with time_limit(timeout):
+        if fiber is None:
+            progress("atypical_values")
+            fiber = generic_fiber(variety, mapping, timeout, seed)
+        return _roadmap(fiber, cells, timeout, seed, progress)
+
+
+def _roadmap(
+    fiber: GenericFiber,
+    cells: OpenCells | None,
+    timeout: float,
+    seed: int,
+    progress: Callable[[str], None],
+) -> Roadmap:
+    check_time("roadmap")
     if cells is None:
         progress("sample_points_rational")
         boundary = [fiber.leading, fiber.discriminant]
@@ -263,12 +273,12 @@ def roadmap(
     points = WallPoints(fiber, timeout, seed)
     roadmap = Roadmap(fiber, cells, graph, points.grounds)
     for cell in cells.samples:
-        clock.check()
+        check_time("roadmap")
         graph.add_nodes_from(roadmap.sheets(cell))
     progress("graph_isotop")
     joined = nx.utils.UnionFind(graph.nodes)
     for contact in sorted(cells.contacts, key=lambda contact: contact.is_wall):
-        clock.check()
+        check_time("roadmap")
         first, second = (roadmap.sheets(cell) for cell in contact.cells)
         if len({joined[sheet] for sheet in (*first, *second)}) < 2:
             continue
@@ -286,16 +296,6 @@ def _pairs(
     if not (first and second):
         return []
     return cross(fiber, contact, lambda: points.regular(contact))
-
-
-@dataclass(frozen=True)
-class _Clock:
-    step: str
-    end: float
-
-    def check(self) -> None:
-        if monotonic() > self.end:
-            raise UnableError(self.step, "no answer within the time limit")
 
 
 def _box(ring: Ring, point: QueryPoint, bits: int) -> Box:

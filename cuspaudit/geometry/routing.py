@@ -30,7 +30,6 @@ path between maxima that the saddle is the first to connect.
 from __future__ import annotations
 
 import math
-import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
@@ -56,6 +55,7 @@ from cuspaudit.geometry.heights.morse import Basin, CriticalPoint
 from cuspaudit.geometry.heights.proved_ascent import Ascent, prove_ascent
 from cuspaudit.geometry.heights.saddle_ways import Way, basin_of, graph_of_ways
 from cuspaudit.geometry.lifts.lifting import Box
+from cuspaudit.runtime.clock import time_left, time_limit
 
 __all__ = ["Point", "Routing", "morse_graph", "routing"]
 
@@ -175,7 +175,7 @@ def routing(
         minors: those of ``crit``; their common zeros on V are {Delta = 0}.
         queries: points of V with Delta != 0.
         seed: of the weights and ascents.
-        timeout: seconds for the whole graph, looked at between steps.
+        timeout: seconds for the whole graph.
         progress: called with the name of each step before it runs.
 
     Raises:
@@ -212,22 +212,32 @@ def morse_graph(
         dimension: d.
         minors: any polynomials, not all zero on a component of V.
         seed: of the weights and ascents.
-        timeout: seconds for the whole graph, looked at between steps.
+        timeout: seconds for the whole graph.
         progress: called with the name of each step before it runs.
     """
-    end = time.monotonic() + timeout
+    with time_limit(timeout):
+        return _by_some_height(variety, dimension, minors, seed, progress)
+
+
+def _by_some_height(
+    variety: PolynomialSystem,
+    dimension: int,
+    minors: Sequence[Polynomial],
+    seed: int,
+    progress: Callable[[str], None],
+) -> Routing:
     why = "no height"
     for height in heights(variety, minors, seed):
         landscape = Landscape(variety, dimension, height)
         progress("routing: critical points")
         try:
-            critical, grounds = critical_points(landscape, _left(end), seed)
+            critical, grounds = critical_points(landscape, _left(), seed)
         except (NotZeroDimensionalError, UnableError) as error:
             why = str(error)
             continue
         if critical is not None:
             progress("routing: ascents")
-            return _routing(landscape, critical, grounds, seed, end)
+            return _routing(landscape, critical, grounds, seed)
         why = "a critical point is degenerate"
     raise UnableError("routing", f"with every weight tried: {why}")
 
@@ -237,26 +247,17 @@ def _routing(
     critical: Sequence[CriticalPoint],
     grounds: tuple[str, ...],
     seed: int,
-    end: float,
 ) -> Routing:
     tops, saddles = (
         tuple(point for point in critical if point.rising == count) for count in (0, 1)
     )
     basins = tuple(basin_of(landscape, top) for top in tops)
-    graph = graph_of_ways(landscape, basins, saddles, seed, lambda: _left(end))
+    graph = graph_of_ways(landscape, basins, saddles, seed, _left)
     return Routing(landscape, tops, saddles, graph, basins, grounds, seed)
 
 
-def _left(end: float) -> float:
-    """The seconds left.
-
-    Raises:
-        UnableError: none.
-    """
-    left = end - time.monotonic()
-    if left <= 0:
-        raise UnableError("routing", "out of time")
-    return left
+def _left() -> float:
+    return time_left("routing")
 
 
 def _query_ascent(

@@ -1,11 +1,13 @@
 """The clock of a run: it times the stages, tells the steps and keeps the time limit.
 
 What runs long inside one step is handed no clock: it asks ``check_time`` in its loops,
-and stops at the limit that is in force there (``time_limit``).
+and stops at the limit that is in force there (``time_limit``). A routine with a
+``timeout`` puts a limit in force for what it calls.
 """
 
 from __future__ import annotations
 
+import math
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -13,7 +15,14 @@ from contextvars import ContextVar
 
 from cuspaudit.errors import TimeLimitError
 
-__all__ = ["Clock", "Progress", "check_time", "seconds_left", "time_limit"]
+__all__ = [
+    "Clock",
+    "Progress",
+    "check_time",
+    "seconds_left",
+    "time_left",
+    "time_limit",
+]
 
 Progress = Callable[[str], None]
 
@@ -53,8 +62,19 @@ def check_time(step: str) -> None:
         TimeLimitError: it has; it names ``step``.
     """
     limit = _LIMIT.get()
-    if limit is not None and time.perf_counter() > limit[0]:
+    if limit is not None and time.perf_counter() >= limit[0]:
         raise TimeLimitError(step, limit[1])
+
+
+def time_left(step: str) -> float:
+    """`seconds_left`, for a program that takes a limit itself; inf without one.
+
+    Raises:
+        TimeLimitError: the limit has passed; it names ``step``.
+    """
+    check_time(step)
+    left = seconds_left()
+    return math.inf if left is None else left
 
 
 class Clock:

@@ -11,7 +11,6 @@ import faulthandler
 import os
 import resource
 import signal
-import time
 from collections.abc import Callable
 from contextlib import suppress
 from multiprocessing import get_context
@@ -19,11 +18,10 @@ from multiprocessing.connection import Connection
 from multiprocessing.context import ForkProcess
 from typing import Any
 
-from cuspaudit.errors import UnableError
+from cuspaudit.errors import TimeLimitError, UnableError
+from cuspaudit.runtime.clock import Clock, Progress
 
 __all__ = ["run_apart"]
-
-Progress = Callable[[str], None]
 
 _PATIENCE = 0.2
 
@@ -51,7 +49,7 @@ def run_apart(
     context = get_context("fork")
     here, there = context.Pipe(duplex=False)
     child = context.Process(target=_run, args=(work, there, memory))
-    end = None if timeout is None else time.monotonic() + timeout
+    clock = Clock(timeout)
     step = "start"
     child.start()
     there.close()
@@ -66,8 +64,8 @@ def run_apart(
                 else:
                     return value
             progress(step)
-            if end is not None and time.monotonic() > end:
-                raise UnableError(step, f"the time limit of {timeout:g} s has passed")
+            if timeout is not None and not clock.left:
+                raise TimeLimitError(step, timeout)
     except EOFError:
         why = "its process died"
         if memory is not None:

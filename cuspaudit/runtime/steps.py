@@ -5,10 +5,9 @@ from __future__ import annotations
 import resource
 import sys
 import time
-from collections.abc import Callable
 from dataclasses import dataclass
 
-from cuspaudit.errors import UnableError
+from cuspaudit.runtime.clock import Clock, Progress
 
 __all__ = ["Step", "Steps"]
 
@@ -32,12 +31,10 @@ class Step:
 class Steps:
     """Keeps the steps and their time limit."""
 
-    def __init__(
-        self, progress: Callable[[str], None], timeout: float | None = None
-    ) -> None:
+    def __init__(self, progress: Progress, timeout: float | None = None) -> None:
         self.done: list[Step] = []
-        self._progress, self._timeout = progress, timeout
-        self._start = self._begun = time.perf_counter()
+        self._clock = Clock(timeout, progress)
+        self._begun = time.perf_counter()
         self._name: str | None = None
 
     @property
@@ -48,21 +45,17 @@ class Steps:
     @property
     def left(self) -> float | None:
         """Seconds until the time limit, at least 0; None without one."""
-        if self._timeout is None:
-            return None
-        return max(0.0, self._timeout - (time.perf_counter() - self._start))
+        return self._clock.left
 
     def begin(self, name: str) -> None:
         """End the step under way and begin ``name``.
 
         Raises:
-            UnableError: the time limit has passed.
+            TimeLimitError: the time limit has passed.
         """
         self.end()
-        if self.left == 0.0:
-            raise UnableError(name, f"the time limit of {self._timeout:g} s has passed")
+        self._clock.step(name)
         self._name, self._begun = name, time.perf_counter()
-        self._progress(name)
 
     def end(self) -> None:
         """End the step under way, if there is one."""

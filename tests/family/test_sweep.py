@@ -24,8 +24,8 @@ from cuspaudit.family.pool import LocalPool
 from cuspaudit.family.row import decide_member
 from cuspaudit.family.store import Store, read_rows
 from cuspaudit.family.sweep import sweep
-from cuspaudit.family.time_limit import TimeUp, time_limit
 from cuspaudit.robot.robot import Robot
+from cuspaudit.runtime.alarm import TimeUp, alarm
 
 QUICK = families.ur_family(40)
 
@@ -281,7 +281,7 @@ class Deaf(Family):
 @pytest.mark.parametrize(
     ("kind", "words"),
     [
-        (Endless, "the time limit of 3 s a member has passed"),
+        (Endless, "member: the time limit of 3 s has passed"),
         (Deaf, "at twice its time limit"),
     ],
 )
@@ -306,17 +306,17 @@ def test_a_member_beyond_its_time_is_a_row(write: Callable[..., Path]) -> None:
         "d2: {values: [1]}}\n"
     )
     row = decide_member(read_family(file), 0, timeout=0.001)
-    assert row["error"] == "the time limit of 0.001 s a member has passed"
+    assert row["error"] == "member: the time limit of 0.001 s has passed"
     assert row["a2"] == 2.0
     assert "verdict" not in row
 
 
 def test_no_limit_is_left_running() -> None:
     """After a block that ends in time nothing rings."""
-    with time_limit(0.5):
+    with alarm(0.5):
         pass
     time.sleep(0.6)
-    with pytest.raises(TimeUp), time_limit(0.05):
+    with pytest.raises(TimeUp), alarm(0.05):
         time.sleep(10)
 
 

@@ -14,7 +14,6 @@ import random
 from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import islice
-from time import monotonic
 
 from flint import fmpq
 
@@ -25,6 +24,7 @@ from cuspaudit.algebra.system import PolynomialMap, PolynomialSystem
 from cuspaudit.errors import DegenerateMapError, InvalidSystemError, UnableError
 from cuspaudit.geometry.fibers.generic_fiber import GenericFiber, generic_fiber
 from cuspaudit.geometry.fibers.proposal import Form
+from cuspaudit.runtime.clock import time_left, time_limit
 
 __all__ = ["Curve", "one_dimensional_parametrization", "parametrized_curve"]
 
@@ -89,13 +89,18 @@ def parametrized_curve(
         raise UnableError("one_dimensional_parametrization", "coefficients outside Q")
     if len(system.ring.variables) < 2:
         raise UnableError("one_dimensional_parametrization", "a curve in a line")
-    end, reason = monotonic() + timeout, "no projection is finite"
+    with time_limit(timeout):
+        return _of_some_forms(system, seed)
+
+
+def _of_some_forms(system: PolynomialSystem, seed: int) -> Curve:
+    reason = "no projection is finite"
     for first, second in islice(_pairs(len(system.ring.variables), seed), _TRIES):
         if not _is_finite(system, second):
             continue
         mapping = PolynomialMap(system.ring, (_line(system.ring, second),))
         try:
-            left = end - monotonic()
+            left = time_left("one_dimensional_parametrization")
             fiber = generic_fiber(system, mapping, left, seed, [first])
             return Curve(system, _parametrization(fiber, first, second), fiber)
         except (DegenerateMapError, InvalidSystemError, UnableError) as error:

@@ -33,7 +33,6 @@ import itertools
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from time import monotonic
 
 from flint import arb, arb_poly, ctx, fmpq, fmpq_poly
 
@@ -45,6 +44,7 @@ from cuspaudit.errors import DegenerateMapError, PrecisionError, UnableError
 from cuspaudit.geometry.crit import crit
 from cuspaudit.geometry.fibers.proposal import FiberProposer, Form
 from cuspaudit.geometry.fibers.pullback import pull_back, vanishes_on
+from cuspaudit.runtime.clock import time_limit
 
 __all__ = ["GenericFiber", "function_equation", "generic_fiber"]
 
@@ -160,8 +160,8 @@ def function_equation(
         UnableError: no equation was found, or it could not be proved.
     """
     variety, mapping = fiber.variety, fiber.mapping
-    end = monotonic() + timeout
-    mu = FiberProposer(variety, mapping, fiber.ring, end, seed).equation(function)
+    with time_limit(timeout):
+        mu = FiberProposer(variety, mapping, fiber.ring, seed).equation(function)
     pulled = pull_back(variety, fiber.ring, mu, (function, *mapping.components))
     if not vanishes_on(variety, pulled):
         raise UnableError("atypical_values", "an equation of a function is not proved")
@@ -196,7 +196,13 @@ def generic_fiber(
     if all(vanishes_on(variety, minor) for minor in crit(variety, mapping)):
         raise DegenerateMapError("the map has full rank nowhere on V")
     ring = Ring(_fresh(variety.ring, len(mapping.components)))
-    proposer = FiberProposer(variety, mapping, ring, monotonic() + timeout, seed)
+    proposer = FiberProposer(variety, mapping, ring, seed)
+    with time_limit(timeout):
+        return _proved(proposer, forms)
+
+
+def _proved(proposer: FiberProposer, forms: Iterable[Form]) -> GenericFiber:
+    variety, mapping, ring = proposer.variety, proposer.mapping, proposer.ring
     reason = "no linear form tells the points of a generic fiber apart"
     for form in forms or proposer.forms():
         found = proposer.parametrized(form)

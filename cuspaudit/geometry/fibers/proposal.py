@@ -10,7 +10,6 @@ from __future__ import annotations
 import itertools
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from time import monotonic
 
 from flint import fmpq
 
@@ -19,6 +18,7 @@ from cuspaudit.algebra.matrix import determinant
 from cuspaudit.algebra.ring import Polynomial, Ring
 from cuspaudit.algebra.system import PolynomialMap, PolynomialSystem
 from cuspaudit.errors import UnableError
+from cuspaudit.runtime.clock import time_left
 
 __all__ = ["FiberProposer", "Form"]
 
@@ -30,20 +30,18 @@ _LARGEST_DEGREE = 12
 
 @dataclass(frozen=True)
 class FiberProposer:
-    """Eliminations for the fibers of R on V.
+    """Eliminations for the fibers of R on V, within the time limit in force.
 
     Attributes:
         variety: V.
         mapping: R.
         ring: Q[t, y_1..y_d]; none of its names is a variable of V.
-        end: when to stop, on the monotonic clock.
         seed: of msolve's random choices.
     """
 
     variety: PolynomialSystem
     mapping: PolynomialMap
     ring: Ring
-    end: float
     seed: int
 
     def forms(self) -> Iterator[Form]:
@@ -162,9 +160,7 @@ class FiberProposer:
             e if dual is None else e * e,
             *(a - b for a, b in zip(y, value, strict=False)),
         ]
-        left = self.end - monotonic()
-        if left <= 0:
-            raise UnableError("atypical_values", "no answer within the time limit")
+        left = time_left("atypical_values")
         basis = propose_elimination(big, system, len(x), left, self.seed)
         found = []
         for p in basis:

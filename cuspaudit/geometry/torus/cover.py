@@ -34,6 +34,7 @@ from numpy.typing import NDArray
 from cuspaudit.errors import UnableError
 from cuspaudit.geometry.torus.box_waves import BoxWaves
 from cuspaudit.geometry.torus.boxes import Boxes
+from cuspaudit.runtime.clock import check_time
 
 __all__ = ["Cover", "cover_count"]
 
@@ -113,6 +114,7 @@ def cover_count(waves: BoxWaves, timeout: float = 60.0) -> Cover:
                 boxes = sum(len(layer.corner) for layer in layers)
                 return Cover(upper, boxes, layers[-1].depth)
             split = _between(layers)
+        check_time("cover_count")
         if time.process_time() > end:
             raise UnableError("cover_count", f"not settled in {timeout:g} s")
         layers = _refined(waves, layers, split)

@@ -1,4 +1,4 @@
-"""A time limit for one member, kept by the system's clock in its own process."""
+"""A time limit kept by the system, in a process that may be ended for it."""
 
 from __future__ import annotations
 
@@ -7,15 +7,15 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from types import FrameType
 
-__all__ = ["TimeUp", "time_limit"]
+__all__ = ["TimeUp", "alarm"]
 
 
 class TimeUp(BaseException):
-    """The time of a member has passed; no ``Exception``, so that no step takes it."""
+    """The time has passed; no ``Exception``, so that no step takes it."""
 
 
 @contextmanager
-def time_limit(seconds: float | None) -> Iterator[None]:
+def alarm(seconds: float | None) -> Iterator[None]:
     """Run the block for at most ``seconds``; only in the main thread of a process.
 
     A library that does not come back is not interrupted: after twice the time on the
