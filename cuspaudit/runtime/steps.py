@@ -36,11 +36,12 @@ class Steps:
         self._clock = Clock(timeout, progress)
         self._begun = time.perf_counter()
         self._name: str | None = None
+        self._asked = "start"
 
     @property
     def current(self) -> str:
-        """The name of the step under way."""
-        return self._name or "start"
+        """The name of the step under way, or of the one that had no time to begin."""
+        return self._asked
 
     @property
     def left(self) -> float | None:
@@ -54,6 +55,7 @@ class Steps:
             TimeLimitError: the time limit has passed.
         """
         self.end()
+        self._asked = name
         self._clock.step(name)
         self._name, self._begun = name, time.perf_counter()
 
