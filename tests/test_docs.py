@@ -1,4 +1,4 @@
-"""The documentation is whole: what is public has a page, and what is linked is there."""
+"""The documentation is whole: what is public has a page, each link leads somewhere."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def test_every_public_name_has_its_page() -> None:
 
 @pytest.mark.parametrize("path", [*TEXTS, *DOCS.glob("*.md")], ids=lambda p: p.name)
 def test_every_link_to_a_file_leads_somewhere(path: Path) -> None:
-    """Links between the texts of the repository; the pictures of the gallery are made."""
+    """Links between the texts of the repository; pictures of the gallery are made."""
     text = re.sub(r"```.*?```|`[^`]*`", "", path.read_text("utf-8"), flags=re.DOTALL)
     for target in re.findall(r"\]\(([^)#\s]+)(?:#[^)]*)?\)", text):
         if not target.startswith(("http", "pictures/")):
