@@ -32,7 +32,7 @@ ALLOWED = {
     "toolpath": AUDIT | {"toolpath"},
     "family": AUDIT,
     "viz": {"errors", "certificate", "certificate_js", "robot"},
-    "pictures": AUDIT | {"toolpath", "viz"},
+    "pictures": AUDIT | {"viz"},
     "api": AUDIT | {"toolpath", "family", "viz", "pictures"},
     "cli": AUDIT | {"toolpath", "family", "viz", "pictures", "api"},
     "pytest_plugin": {"auditing", "robot"},

@@ -11,6 +11,7 @@ from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import RetryableError, TimeLimitError, UnableError
 
 if TYPE_CHECKING:
+    from cuspaudit.auditing.cusp_witness import CuspWitness
     from cuspaudit.auditing.evidence import Crowd, PairRecord, SearchRecord
     from cuspaudit.auditing.witness import Witness
     from cuspaudit.cuspidality.pair_decision import PairDecision
@@ -69,8 +70,8 @@ class Answer:
         why: one sentence.
         rests_on: what the verdict rests on.
         engine: the way that gave the verdict, or a couple without a certificate:
-            "roadmap", "routing", "pairs", "search" or "pigeon-hole"; None for a theorem
-            alone, and where no way came so far.
+            "roadmap", "routing", "pairs", "search", "cusp" or "pigeon-hole"; None for
+            a theorem alone, and where no way came so far.
         reduction: the theorem that was applied, if any.
         decision: the run of Algorithm 1, if there was one.
         by_pairs: the decision by pairs of postures, if that was made instead.
@@ -83,6 +84,7 @@ class Answer:
         search: what a search for a witness tried, if there was one.
         pairs: what the pairs of postures said, if they were looked at.
         crowd: a pose that proves the arm of the model cuspidal, if one was met.
+        cusp: a posture that proves it, if one was met.
     """
 
     model: ExactModel
@@ -102,6 +104,7 @@ class Answer:
     search: SearchRecord | None = None
     pairs: PairRecord | None = None
     crowd: Crowd | None = None
+    cusp: CuspWitness | None = None
 
     @property
     def is_exact_run(self) -> bool:

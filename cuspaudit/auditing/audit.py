@@ -17,6 +17,7 @@ from cuspaudit.auditing.options import Options
 from cuspaudit.auditing.record import Audit
 from cuspaudit.auditing.structure_certificate import structure_certificate
 from cuspaudit.auditing.structures import near_structures, why_undecided
+from cuspaudit.auditing.within_limits import within_limits
 from cuspaudit.auditing.witness import Witness
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import (
@@ -55,6 +56,8 @@ def audit(robot: Robot, options: Options | None = None) -> Audit:
             found = _with_aspects(found, clock)
     with clock.stage("structures"):
         structures = near_structures(found)
+    with clock.stage("limits"):
+        within = within_limits(found, literal, options.seed, clock)
     with clock.stage("literal"):
         with time_limit(clock.left):
             verdict, proof = _literal(replace(case, so_far=found), clock)
@@ -77,6 +80,7 @@ def audit(robot: Robot, options: Options | None = None) -> Audit:
         proof,
         structures,
         why,
+        within,
     )
 
 

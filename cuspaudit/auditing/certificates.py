@@ -7,6 +7,7 @@ from dataclasses import replace
 from cuspaudit.auditing.pairs_certificate import pairs_certificate
 from cuspaudit.auditing.record import Audit
 from cuspaudit.auditing.structure_certificate import structure_certificate
+from cuspaudit.auditing.within_limits import WithinLimits
 from cuspaudit.certificate import Certificate, text_from_certificate
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.robot.chain import Chain
@@ -15,19 +16,33 @@ from cuspaudit.robot.virtual_joint import with_virtual_joint
 __all__ = ["certificate_of_audit", "certificate_text"]
 
 
-def certificate_of_audit(audit: Audit) -> Certificate | None:
+def certificate_of_audit(audit: Audit, within: bool = False) -> Certificate | None:
     """The certificate of the verdict of ``audit``, or None where it has none.
 
-    Of a cuspidal verdict that of its witness. Of a noncuspidal one that of a theorem,
-    or of three joints that of all pairs of postures, for the numbers that the verdict
-    is about, or else for those of the file.
+    Of a cuspidal verdict that of its witness or its cusp. Of a noncuspidal one that of
+    a theorem, or of three joints that of all pairs of postures, for the numbers that
+    the verdict is about, or else for those of the file.
+
+    Args:
+        audit: what was found.
+        within: whether the verdict within the joint limits is meant, if there are any.
     """
     literal = with_virtual_joint(audit.robot.chain)
+    if within and audit.within is not None:
+        # what limits alone make noncuspidal has no certificate
+        if audit.within.verdict is not Verdict.NONCUSPIDAL:
+            return _within_limits(audit.within)
+        if audit.verdict is not Verdict.NONCUSPIDAL:
+            return None
     if audit.witness is not None:
         is_literal = audit.witness.chain == literal
         return replace(
             audit.witness.certificate, numbers="literal" if is_literal else "snapped"
         )
+    if audit.answer.cusp is not None:
+        cusp = audit.answer.cusp
+        is_literal = cusp.chain == literal
+        return replace(cusp.certificate, numbers="literal" if is_literal else "snapped")
     if audit.verdict is not Verdict.NONCUSPIDAL:
         return None
     kind = audit.answer.reduction.kind if audit.answer.reduction else ""
@@ -38,9 +53,15 @@ def certificate_of_audit(audit: Audit) -> Certificate | None:
     return None
 
 
-def certificate_text(audit: Audit) -> str | None:
+def _within_limits(within: WithinLimits) -> Certificate | None:
+    if within.witness is not None:
+        return within.witness.certificate
+    return within.cusp.certificate if within.cusp is not None else None
+
+
+def certificate_text(audit: Audit, within: bool = False) -> str | None:
     """The text of `certificate_of_audit`, as a file holds it."""
-    certificate = certificate_of_audit(audit)
+    certificate = certificate_of_audit(audit, within)
     return None if certificate is None else text_from_certificate(certificate)
 
 

@@ -9,7 +9,9 @@ from typing import Any
 
 from cuspaudit.auditing.answer import Answer
 from cuspaudit.auditing.crosscheck.compare import CrossCheck
+from cuspaudit.auditing.cusp_witness import CuspWitness
 from cuspaudit.auditing.structures import Structure
+from cuspaudit.auditing.within_limits import WithinLimits
 from cuspaudit.auditing.witness import Witness
 from cuspaudit.count import Count
 from cuspaudit.cuspidality.verdict import Verdict
@@ -47,6 +49,7 @@ class Audit:
         check: the comparison with Pinocchio.
         seconds: time of each stage.
         seed: of the random choices.
+        within: the verdict within the joint limits; None without limits.
         policy: which numbers were taken for others.
     """
 
@@ -62,6 +65,7 @@ class Audit:
     literal_witness: Witness | None = None
     structures: tuple[Structure, ...] = ()
     why_literal: str | None = None
+    within: WithinLimits | None = None
 
     @property
     def verdict(self) -> Verdict:
@@ -70,14 +74,17 @@ class Audit:
 
     @property
     def witness(self) -> Witness | None:
-        """Of a CUSPIDAL verdict; only one by ``answer.crowd`` may lack it."""
+        """Of a CUSPIDAL verdict; one by ``answer.crowd`` or a cusp may lack it."""
         return self.answer.witness
 
-    def record(self, certificate: str | None = None) -> dict[str, Any]:
+    def record(
+        self, certificate: str | None = None, limits_certificate: str | None = None
+    ) -> dict[str, Any]:
         """The audit as JSON, schema ``cuspaudit/audit/2``.
 
         Args:
             certificate: where the certificate was written, if it was.
+            limits_certificate: where that of the verdict within limits was.
         """
         answer = self.answer
         return {
@@ -99,8 +106,8 @@ class Audit:
             "literal_why": self.why_literal,
             "crowd": answer.crowd.record() if answer.crowd else None,
             "models": {"literal": self.literal.value, "snapped": self.verdict.value},
-            "limits": None,
-            "cusp": None,
+            "limits": self.within.record(limits_certificate) if self.within else None,
+            "cusp": self._cusp(certificate),
             "structures": self._structures(),
             "margin": None,
             "tolerance": None,
@@ -110,6 +117,26 @@ class Audit:
             "versions": versions(PACKAGES),
             "seed": self.seed,
         }
+
+    def _cusp(self, certificate: str | None) -> dict[str, Any] | None:
+        cusp = self.cusp
+        if cusp is None:
+            return None
+        written = certificate if self.witness is None else None
+        own = len(self.chain.joints)
+        return {"posture": list(cusp.posture[:own]), "certificate": written}
+
+    @property
+    def cusp(self) -> CuspWitness | None:
+        """A posture at which the map has a cusp, proved, if one was met."""
+        inside = self.within.cusp if self.within else None
+        return self.answer.cusp or inside
+
+    @property
+    def shown_witness(self) -> Witness | None:
+        """The path to look at: inside the joint limits if there is one."""
+        inside = self.within.witness if self.within else None
+        return inside or self.witness
 
     def _structures(self) -> list[dict[str, Any]] | None:
         return [structure.record() for structure in self.structures] or None
@@ -148,6 +175,8 @@ class Audit:
                 "two postures of one pose are joined by a path on which det J keeps "
                 f"its sign, proved for the numbers {where}; {why}"
             )
+        elif answer.engine == "cusp":
+            kind, rests_on = "cusp", ["ball arithmetic"]
         elif self.verdict is not Verdict.UNDECIDED:
             kind = "exact" if answer.reduction is None else "reduction"
             rests_on = list(answer.rests_on)
@@ -170,7 +199,10 @@ class Audit:
     @property
     def shown_chain(self) -> Chain:
         """The robot's own joints with the numbers that the witness is for, if any."""
-        return self.robot.chain if self._is_literal else self.chain
+        literal = with_virtual_joint(self.robot.chain)
+        shown = self.shown_witness
+        is_literal = shown is not None and shown.chain == literal
+        return self.robot.chain if is_literal else self.chain
 
     @property
     def _is_literal(self) -> bool:

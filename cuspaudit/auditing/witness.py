@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from cuspaudit.auditing.certified_robot import certified_robot
 from cuspaudit.certificate import (
+    Limits,
     PathCertificate,
     Verification,
     verify,
@@ -45,16 +46,22 @@ class Witness:
     verification: Verification
 
 
-def certified(chain: Chain, path: Array, largest: float | None = None) -> Witness:
+def certified(
+    chain: Chain,
+    path: Array,
+    largest: float | None = None,
+    limits: Limits | None = None,
+) -> Witness:
     """What the checker says of a closed path; only if it accepts is it a witness.
 
     Args:
         chain: whose numbers the certificate holds.
         path: as `lift.close` returns it.
         largest: of |det J|, for the clearance; None when it is not known.
+        limits: with them the claim is one within them.
     """
     sign = int(np.sign(np.linalg.det(jacobian(chain, path[0]))))
-    certificate = certificate_of(chain, sign, path)
+    certificate = certificate_of(chain, sign, path, limits)
     verification = verify(certificate)
     clearance = None
     if largest is not None and verification.smallest is not None:
@@ -62,11 +69,14 @@ def certified(chain: Chain, path: Array, largest: float | None = None) -> Witnes
     return Witness(chain, path, sign, clearance, certificate, verification)
 
 
-def certificate_of(chain: Chain, sign: int, path: Array) -> PathCertificate:
+def certificate_of(
+    chain: Chain, sign: int, path: Array, limits: Limits | None = None
+) -> PathCertificate:
     """The certificate that states: this path of this chain keeps ``sign`` of det J."""
     points = tuple(tuple(Fraction(repr(float(v))) for v in row) for row in path)
     return PathCertificate(
         **certified_robot(chain),
+        limits=limits,
         sign=1 if sign > 0 else -1,
         postures=(points[0], points[-1]),
         path=points,

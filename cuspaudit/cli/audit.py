@@ -67,6 +67,13 @@ def audit(
             "Exit 0.",
         ),
     ] = False,
+    within: Annotated[
+        bool,
+        typer.Option(
+            "--within-limits",
+            help="Exit code and certificate of the verdict within the joint limits.",
+        ),
+    ] = False,
     exit_zero: Annotated[
         bool, typer.Option("--exit-zero", help="Exit 0 whatever the verdict.")
     ] = False,
@@ -92,9 +99,9 @@ def audit(
         robot, base, tip, task, lock, convention, angle_unit, length_unit
     )
     result = run_audit(opened, seed, timeout, snap, engine.value)
-    proof = certificate_text(result)
+    proof = certificate_text(result, within)
     written = str(certificate) if certificate and proof else None
-    record = result.record(written)
+    record = result.record(*((None, written) if within else (written, None)))
     if certificate:
         write_text(certificate, proof or proof_record(result.answer))
     if html:
@@ -110,4 +117,5 @@ def audit(
         if certificate and not proof:
             kept["record of the run"] = str(certificate)
         print_summary(record, kept)
-    raise typer.Exit(0 if exit_zero else OF_VERDICT[record["verdict"]])
+    asked = record["limits"] if within and record["limits"] else record
+    raise typer.Exit(0 if exit_zero else OF_VERDICT[asked["verdict"]])

@@ -31,6 +31,7 @@ def print_summary(record: Mapping[str, Any], files: Mapping[str, Any]) -> None:
         "verdict": f"[{COLOUR[verdict]}]{verdict}[/]",
         "why": proof["why"],
         "proof": ", ".join([proof["kind"], *proof["rests_on"]]),
+        "within limits": _within(record.get("limits")),
         "literal": f"{models['literal']} for the numbers exactly as the file has them"
         + _hair(record.get("literal_witness"), record.get("literal_why")),
         "snapped": f"{len(robot['snapped'])} numbers; see `cuspaudit import`"
@@ -57,6 +58,24 @@ def print_summary(record: Mapping[str, Any], files: Mapping[str, Any]) -> None:
             text = Text.from_markup(str(value)) if markup else Text(str(value))
             table.add_row(Text(name, style="dim"), text)
     console.print(table)
+
+
+def _within(limits: Mapping[str, Any] | None) -> str | None:
+    """The verdict within joint limits, and what the free witness does with them."""
+    if limits is None:
+        return None
+    free, witness = limits["of_the_free_witness"], limits["witness"]
+    text = f"{limits['verdict']} ({limits['proof']['kind']}): {limits['why']}"
+    count = limits["aspects"]
+    if count["count"] is not None:
+        text += (
+            f"; {count['count']} aspects{'' if count['proved'] else ' (not proved)'}"
+        )
+    if witness is not None:
+        text += f"; a path keeps {witness['slack']:.3g} from every limit"
+    if free is not None and not free["inside"]:
+        text += f"; the path without limits leaves them: {free['leaves']}"
+    return text
 
 
 def _hair(witness: Mapping[str, Any] | None, why: str | None) -> str:

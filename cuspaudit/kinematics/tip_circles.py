@@ -21,6 +21,8 @@ from cuspaudit.kinematics.transform import Column, dot
 
 __all__ = ["TipCircles", "tip_circles"]
 
+Vector = tuple[Polynomial, Polynomial, Polynomial]
+
 
 @dataclass(frozen=True, eq=False)
 class TipCircles:
@@ -36,9 +38,9 @@ class TipCircles:
             coordinate along axis 1 if it slides.
     """
 
-    axis: Column
-    second: Column
-    origin: Column
+    axis: Vector
+    second: Vector
+    origin: Vector
     height: Polynomial
     square: Polynomial
     across: tuple[Polynomial, ...]
@@ -59,7 +61,7 @@ def tip_circles(model: ExactModel) -> TipCircles:
             reduce_circles(full, (second, third), full.reduce(p)), full
         )
 
-    def constant(column: Column) -> Column:
+    def constant(column: Column) -> Vector:
         a, b, c = (ring.from_other(full.reduce(p), full) for p in column)
         return a, b, c
 

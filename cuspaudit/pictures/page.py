@@ -24,8 +24,8 @@ def page_text(record: Mapping[str, Any], result: Audit, proof: str | None) -> st
     """
     chain = result.shown_chain
     own = len(chain.joints)
-    if result.witness is not None:
-        frames = sample_path(chain, result.witness.path[:, :own].tolist())
+    if result.shown_witness is not None:
+        frames = sample_path(chain, result.shown_witness.path[:, :own].tolist())
     else:
         shown = shown_postures(result.answer, result.seed)
         rows = [posture[:own] for posture in shown.postures]

@@ -16,6 +16,8 @@ from short_tables import Number, arm, with_wrist
 import cuspaudit
 from cuspaudit.auditing import record as record_module
 from cuspaudit.auditing.audit import Audit, Options, audit
+from cuspaudit.auditing.deciders.decide import decide
+from cuspaudit.auditing.deciders.ways import WAYS
 from cuspaudit.auditing.record import SCHEMA
 from cuspaudit.certificate import verify
 from cuspaudit.cuspidality.verdict import Verdict
@@ -73,7 +75,8 @@ def test_every_key_is_there(audits: dict[str, Audit], name: str) -> None:
         inside = record if key == "" else record[key]
         if isinstance(inside, Mapping):
             assert wanted <= set(inside), key
-    assert record["limits"] is None
+    limited = any(record["robot"]["joint_limits"])
+    assert (record["limits"] is not None) == limited
     assert record["schema"] == SCHEMA == "cuspaudit/audit/2"
     assert record["seed"] == 5
 
@@ -140,11 +143,35 @@ def test_a_reduction_is_named(audits: dict[str, Audit]) -> None:
     assert puma["verdict"] == ur5["verdict"] == "noncuspidal"
 
 
-@pytest.mark.slow
-def test_an_undecided_arm_says_what_was_tried() -> None:
-    """Step, reason, structures looked for, search, pairs, and what would settle it."""
+def stiff_wrist() -> Robot:
+    """A cuspidal arm whose wrist hardly tilts: no theorem says more."""
     chain = with_wrist(arm((1, 2, "3/2"), (0, 1, 0), (-90, 90, 0)), (3, 4))
-    record = audit(Robot("stiff wrist", "stiff.yaml", chain), Options(seed=3)).record()
+    return Robot("stiff wrist", "stiff.yaml", chain)
+
+
+def test_a_cusp_decides_where_no_path_is_met() -> None:
+    """A stiff wrist turns little, and little is enough near a cusp."""
+    found = audit(stiff_wrist(), Options(seed=3))
+    record = json.loads(json.dumps(found.record("stiff.json")))
+    jsonschema.validate(record, _schema())
+    assert record["verdict"] == "cuspidal"
+    assert found.cusp is not None
+    assert verify(found.cusp.certificate).accepted
+    if record["witness"] is None:
+        assert record["proof"]["kind"] == "cusp"
+        assert record["cusp"]["certificate"] == "stiff.json"
+
+
+@pytest.mark.slow
+def test_an_undecided_arm_says_what_was_tried(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Step, reason, structures looked for, search, pairs, and what would settle it."""
+    monkeypatch.setattr(
+        *(import_module("cuspaudit.auditing.audit"), "decide"),
+        lambda case, clock, ways=WAYS: decide(
+            case, clock, [way for way in ways if way.stage != "cusp"]
+        ),
+    )
+    record = audit(stiff_wrist(), Options(seed=3)).record()
     undecided = record["undecided"]
     jsonschema.validate(json.loads(json.dumps(record)), _schema())
     assert undecided["search"]["seed"] == 3

@@ -60,6 +60,7 @@ EXACT = (
 WAYS = (
     *EXACT,
     Way("certify", by_couple),
+    Way("cusp", _when_open("by_cusp", "by_cusp")),
     Way("search", _when_open("by_pigeonhole", "by_pigeonhole")),
     _BY_SEARCH,
     Way("pairs", _when_open("by_pairs", "by_pair_maxima")),

@@ -26,13 +26,21 @@ from numpy.typing import NDArray
 from cuspaudit.robot.chain import Chain
 from cuspaudit.robot.frames import transform
 
-__all__ = ["FoundCusp", "Interval", "search_cusps"]
+__all__ = [
+    "FoundCusp",
+    "Interval",
+    "TaskMap",
+    "moving_joints",
+    "refined_cusp",
+    "search_cusps",
+]
 
 Array = NDArray[np.float64]
 Interval = tuple[float, float] | None
 
 _STARTS = 48
 _STEPS = 24
+_POLISH = 4
 _STRIDE = 0.4
 _DIFFERENCE = 1e-5
 _REACHED = 1e-9
@@ -71,29 +79,51 @@ def search_cusps(
         seed: of the random starts.
         starts: how many there are.
     """
-    map_ = _Map(chain)
     rng = np.random.default_rng(seed)
     ends = np.array([_span(chain, k, limits[k]) for k in range(len(chain.joints))])
     low, high = ends.T
     q = rng.uniform(low, high, (starts, len(low)))
-    fixed = [k for k in range(len(low)) if k not in map_.moving]
+    fixed = [k for k in range(len(low)) if k not in moving_joints(chain)]
     q[:, fixed] = (low + high)[fixed] / 2
-    limited = np.array([pair is not None for pair in limits])
-    box = np.where(limited, low, -np.inf), np.where(limited, high, np.inf)
+    found = _settled(chain, limits, q, _STEPS)
+    found.sort(key=lambda cusp: -cusp.clear * min(cusp.slack, 1.0))
+    return _distinct(found)
+
+
+def refined_cusp(
+    chain: Chain, limits: Sequence[Interval], posture: Sequence[float]
+) -> FoundCusp | None:
+    """The cusp of a chain next to that of a slightly different one."""
+    found = _settled(chain, limits, np.array([posture]), _POLISH)
+    return found[0] if found else None
+
+
+def moving_joints(chain: Chain) -> range:
+    """The joints that move det J, counted from 0."""
+    count = len(chain.joints)
+    return range(1, count if count == 3 else count - 1)
+
+
+def _settled(
+    chain: Chain, limits: Sequence[Interval], q: Array, steps: int
+) -> list[FoundCusp]:
+    """The cusps that Newton's method reaches from the postures ``q``."""
+    map_ = TaskMap(chain)
+    ends = np.array([pair or (-np.inf, np.inf) for pair in limits])
+    low, high = ends.T
+    margin = np.where(np.isfinite(high - low), _MARGIN * (high - low), 0.0)
     with np.errstate(all="ignore"):
-        for _ in range(_STEPS):
-            q = np.clip(q + map_.step(q), *box)
+        for _ in range(steps):
+            q = np.clip(q + map_.step(q), low + margin, high - margin)
         q = np.round(q + map_.step(q), _DIGITS)
         left = np.abs(map_.conditions(q)[0]).max(1)
         clear = map_.clearness(q)
-    slack = np.where(limited, np.minimum(q - low, high - q), np.inf).min(1)
+    slack = np.minimum(q - low, high - q).min(1)
     good = (left < _REACHED) & (slack > 0) & (clear > 0)
-    found = [
+    return [
         FoundCusp(tuple(map(float, q[k])), float(slack[k]), float(clear[k]))
         for k in np.flatnonzero(good)
     ]
-    found.sort(key=lambda cusp: -cusp.clear * min(cusp.slack, 1.0))
-    return _distinct(found)
 
 
 def _distinct(found: list[FoundCusp]) -> list[FoundCusp]:
@@ -113,8 +143,12 @@ def _span(chain: Chain, k: int, pair: Interval) -> tuple[float, float]:
     return (-1.0, 1.0) if chain.joints[k].kind == "prismatic" else (-np.pi, np.pi)
 
 
-class _Map:
-    """The map of a task at many postures; lengths in units of the arm's size."""
+class TaskMap:
+    """The map of a task at many postures; lengths in units of the arm's size.
+
+    Args:
+        chain: three joints, or six of a pose.
+    """
 
     def __init__(self, chain: Chain) -> None:
         self.before = [transform(joint.before) for joint in chain.joints]
@@ -124,8 +158,7 @@ class _Map:
         axes = [np.array([float(x) for x in joint.axis]) for joint in chain.joints]
         self.axes = [axis / np.linalg.norm(axis) for axis in axes]
         self.turns = np.array([kind == "revolute" for kind in chain.kinds])
-        count = len(chain.joints)
-        self.moving = list(range(1, count if count == 3 else count - 1))
+        self.moving = list(moving_joints(chain))
 
     def columns(self, q: Array) -> tuple[Array, Array]:
         """Angular velocities and tip velocities of the joints, (m, n, 3) each."""
