@@ -7,17 +7,20 @@ joints are folded into the transforms between the moving ones.
 
 from __future__ import annotations
 
+from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
 
 from cuspaudit.errors import UnsupportedJointError
 from cuspaudit.robot.chain import Chain, Joint, JointKind, Motion, Translation
+from cuspaudit.robot.coupling import Coupling, uncoupled
 from cuspaudit.robot.formats.choice import Build, Candidate, candidates, choose_chain
 from cuspaudit.robot.formats.format import MOST_JOINTS
 from cuspaudit.robot.formats.tree import Tree
 from cuspaudit.robot.formats.urdf.numbers import axis, limits, origin
 from cuspaudit.robot.formats.urdf.tree import tree_from_robot
 from cuspaudit.robot.formats.urdf.xml import JointElement, read_xml
+from cuspaudit.robot.numbers import parse_decimal
 from cuspaudit.robot.place import Place, quoted
 from cuspaudit.robot.robot import Robot
 from cuspaudit.robot.task import check_limits, default_task, parse_task
@@ -130,22 +133,39 @@ def _chain(
         if element.kind != "fixed":
             joints.append(_joint(element, pending, here, notes))
             pending = ()
-    chosen = parse_task(task, tree.place) if task else default_task(len(joints))
-    return Chain(name, tuple(joints), pending, chosen, base, tip), notes
+    couplings = {e.name: _coupling(e, tree) for e in path if "mimic" in e.parts}
+    chain, remarks = uncoupled(
+        Chain(name, tuple(joints), pending, base=base, tip=tip), couplings
+    )
+    count = len(chain.joints)
+    chosen = parse_task(task, tree.place) if task else default_task(count)
+    return replace(chain, task=chosen), notes + remarks
+
+
+def _coupling(element: JointElement, tree: Tree[JointElement]) -> Coupling:
+    """How a joint is driven by another.
+
+    Raises:
+        InvalidRobotError: there is no such joint, or a number cannot be read.
+    """
+    here = element.place(tree.place)
+    driver = element.text("mimic", "joint") or ""
+    if driver not in {joint.name for joint in tree.above.values()}:
+        found = f"it mimics joint {quoted(driver)}, which is not in the file"
+        raise here.error(found, "name one that is")
+    numbers = (element.text("mimic", name) for name in ("multiplier", "offset"))
+    multiplier, offset = (
+        None if text is None else parse_decimal(text, here.at("mimic"))
+        for text in numbers
+    )
+    one = Fraction(1) if multiplier is None else multiplier
+    return Coupling(driver, one, offset or Fraction(0), here)
 
 
 def _joint(
     element: JointElement, before: tuple[Motion, ...], place: Place, notes: list[str]
 ) -> Joint:
     kind = _kind(element, place)
-    if "mimic" in element.parts:
-        other = quoted(element.text("mimic", "joint") or "")
-        raise UnsupportedJointError(
-            file=place.file,
-            where=place.where,
-            found=f"it mimics joint {other}",
-            expected="choose a chain whose joints move independently",
-        )
     return Joint(
         name=element.name,
         kind=kind,

@@ -130,11 +130,20 @@ def test_branches_are_listed(read: Reader) -> None:
 
 
 def test_a_mimic_joint_counts_only_on_the_chain(read: Reader) -> None:
-    """A mimic joint on the chain is refused, beside it ignored."""
-    mimic = joint("m", "l3", "tip", mimic='joint="j1"')
+    """A mimic joint that turns a tool is refused, beside the chain it is ignored."""
+    mimic = joint("m", "l3", "l4", mimic='joint="j1"')
+    tool = joint("jt", "l4", "tip", "fixed", origin='xyz="0 1.5 0"')
+    links = "l0 l1 l2 l3 l4 tip"
     with pytest.raises(UnsupportedJointError, match=r'joint "m" .*mimics joint "j1"'):
-        read(THREE + mimic)
-    assert len(read(THREE + mimic, tip="l3").chain.joints) == 3
+        read(THREE + mimic + tool, links)
+    assert len(read(THREE + mimic + tool, links, tip="l3").chain.joints) == 3
+    assert len(read(THREE + mimic + tool, links, tip="l4").chain.joints) == 3
+
+
+def test_a_mimic_joint_of_nothing_is_refused(read: Reader) -> None:
+    """The joint that is mimicked has to be in the file."""
+    with pytest.raises(InvalidRobotError, match=r'mimics joint "j9", which is not in'):
+        read(THREE + joint("m", "l3", "tip", mimic='joint="j9"'))
 
 
 @pytest.mark.parametrize(
