@@ -81,6 +81,7 @@ def audit(
     """Import, decide, certify, cross-check and report: the main job."""
     from cuspaudit.auditing.certificates import certificate_text
     from cuspaudit.auditing.proof_record import proof_record
+    from cuspaudit.runtime.waiting import waited
     from cuspaudit.runtime.writing import check_writable, write_text
 
     files = [f for f in (html, certificate) if f is not None]
@@ -102,6 +103,7 @@ def audit(
     proof = certificate_text(result, within)
     written = str(certificate) if certificate and proof else None
     record = result.record(*((None, written) if within else (written, None)))
+    record["seconds"]["total"] = round(waited(), 4)
     if certificate:
         write_text(certificate, proof or proof_record(result.answer))
     if html:

@@ -32,7 +32,8 @@ def decide(
         Path,
         typer.Argument(
             metavar="SYSTEM",
-            help="A YAML file: variables: [x, y], equations: [], map: [x^3 + x*y, y].",
+            help=r"A YAML file: variables: \[x, y], equations: \[], "
+            r"map: \[x^3 + x*y, y].",
         ),
     ],
     json_file: Annotated[
@@ -65,6 +66,7 @@ def decide(
     """
     from cuspaudit.auditing.systems.file import read_system
     from cuspaudit.auditing.systems.report import decide_system
+    from cuspaudit.runtime.waiting import waited
     from cuspaudit.runtime.writing import check_writable, write_text
 
     if json_file not in (None, "-"):
@@ -84,6 +86,7 @@ def decide(
     except AssumptionError as error:
         name = type(error).__name__
         raise AssumptionError(f"{system}: {name}: {error}") from error
+    record["seconds"]["total"] = round(waited(), 4)
     text = json.dumps(record, indent=1, allow_nan=False)
     if json_file == "-":
         typer.echo(text)

@@ -101,10 +101,10 @@ def import_(
 
 def _print_names() -> None:
     from cuspaudit.robot.descriptions import description_names
-    from cuspaudit.robot.library import library
+    from cuspaudit.robot.library import described
 
-    for name, path in library():
-        typer.echo(f"{name:28} {path}")
+    for entry in sorted(described(), key=lambda entry: not entry.is_arm):
+        typer.echo(f"{entry.name:28} {entry.what}")
     for name in description_names():
         typer.echo(f"{name:28} robot_descriptions")
 

@@ -12,6 +12,7 @@ import sys
 from types import FrameType
 from typing import NoReturn
 
+import cuspaudit.runtime.waiting  # noqa: F401 - it counts from here
 from cuspaudit.cli.exit_codes import BAD_INPUT, INTERRUPTED, UNFORESEEN
 
 __all__ = ["main"]

@@ -28,6 +28,7 @@ def print_summary(record: Mapping[str, Any], files: Mapping[str, Any]) -> None:
     rows = {
         "robot": f"{robot['name']}: {robot['joints']} joints, {robot['task']} of "
         f"{robot['tip']} from {robot['base']}",
+        "locked": ", ".join(f"{k} = {v}" for k, v in robot.get("locked", {}).items()),
         "verdict": f"[{COLOUR[verdict]}]{verdict}[/]",
         "why": proof["why"],
         "proof": ", ".join([proof["kind"], *proof["rests_on"]]),

@@ -3,13 +3,18 @@
 from __future__ import annotations
 
 import json
+from contextlib import suppress
 from dataclasses import asdict
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
+from cuspaudit.errors import InvalidCertificateError
+
 __all__ = ["verify"]
+
+_MOST_BYTES = 20_000_000
 
 
 def verify(
@@ -22,7 +27,11 @@ def verify(
     from cuspaudit.certificate import printable, read_certificate
     from cuspaudit.certificate import verify as prove
 
-    claim = read_certificate(certificate)
+    try:
+        claim = read_certificate(certificate)
+    except InvalidCertificateError:
+        _check_kind(certificate)
+        raise
     result = prove(claim)
     if as_json:
         typer.echo(json.dumps({"file": str(certificate), **asdict(result)}, indent=1))
@@ -30,3 +39,19 @@ def verify(
         word = "accepted" if result.accepted else "REJECTED"
         typer.echo(f"{word}: {printable(claim.robot_name)}: {result.reason}")
     raise typer.Exit(0 if result.accepted else 1)
+
+
+def _check_kind(file: Path) -> None:
+    """Refuse an audit or a record by the name of the command that reads it.
+
+    Raises:
+        InvalidRobotError: the file is one.
+    """
+    from cuspaudit.robot.other_files import check_kind
+    from cuspaudit.robot.place import Place
+
+    with suppress(OSError, ValueError):
+        if file.stat().st_size < _MOST_BYTES:
+            entries = json.loads(file.read_text("utf-8"))
+            if isinstance(entries, dict):
+                check_kind(entries, "a certificate", Place(str(file)))

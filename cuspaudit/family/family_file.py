@@ -29,6 +29,7 @@ from cuspaudit.family.expressions import NAME, WORDS, Expression, parse_expressi
 from cuspaudit.family.family import Adaptive, Family
 from cuspaudit.family.parameters import Parameter, parse_parameter, parse_whole
 from cuspaudit.robot.entries import check_known, word
+from cuspaudit.robot.other_files import check_kind
 from cuspaudit.robot.place import Place, listing, quoted
 from cuspaudit.robot.robot import COUNTS
 from cuspaudit.robot.tables import Table, read_mapping, table_from_mapping
@@ -58,6 +59,10 @@ def read_family(path: Path) -> Family:
     """
     place = Place(str(path))
     entries = read_mapping(path, place)
+    check_kind(entries, "a family of robots", place)
+    if "joints" in entries:
+        found = "joints, and the other lines of a robot, beside its parameters"
+        raise place.error(found, "move them, indented, below a line robot:")
     check_known(entries, _KEYS, place)
     entries.pop("provenance", None)
     text = json.dumps(entries)

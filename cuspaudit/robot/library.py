@@ -8,9 +8,10 @@ from __future__ import annotations
 
 import difflib
 import importlib.util
+import re
 import sys
-from collections.abc import Iterator, Mapping
-from dataclasses import replace
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -31,7 +32,14 @@ from cuspaudit.robot.task import lock as lock_joints
 if TYPE_CHECKING:
     from cuspaudit.robot.formats.choice import Candidate
 
-__all__ = ["example_robot_data", "library", "open_robot", "serial_chains"]
+__all__ = [
+    "Described",
+    "described",
+    "example_robot_data",
+    "library",
+    "open_robot",
+    "serial_chains",
+]
 
 
 def open_robot(
@@ -130,6 +138,35 @@ def library() -> list[tuple[str, Path]]:
     return list(found.items())
 
 
+@dataclass(frozen=True)
+class Described:
+    """A name of the library, with what it is.
+
+    Attributes:
+        name: as `open_robot` takes it.
+        is_arm: whether it is one chain with a task, without further options.
+        what: joints, task and title; or what is to be chosen first, which
+            ``cuspaudit import`` tells in full.
+    """
+
+    name: str
+    is_arm: bool
+    what: str
+
+
+def described() -> Iterator[Described]:
+    """Each name of `library`, with what it is."""
+    for name, path in library():
+        try:
+            robot = open_robot(path)
+        except InvalidRobotError as error:
+            yield Described(name, False, error.found)
+        else:
+            joints = f"{len(robot.chain.joints)} joints, {robot.chain.task}"
+            title = robot.title or f"URDF of example-robot-data, {path.name}"
+            yield Described(name, True, f"{joints:30} {title}")
+
+
 def example_robot_data() -> Path | None:
     """The share folder of example-robot-data (its ``robots`` inside), if installed."""
     places = [Path(sys.prefix)]
@@ -152,18 +189,28 @@ def _find(name_or_path: str | Path) -> Path:
     if path.exists() or path.suffix.lower() in endings() or path.name != text:
         return path
     known = dict(library())
-    if text in known:
-        return known[text]
+    named = [text] if text in known else _alike(text, known)
+    if named:
+        return known[named[0]]
     described = description_file(text)
     if described is not None:
         return described
     names = [*known, *description_names()]
-    near = difflib.get_close_matches(text, names, n=5, cutoff=0.5)
+    near = difflib.get_close_matches(text.lower(), names, n=5, cutoff=0.5)
     raise InvalidRobotError(
         file=quoted(text),
         found="no file and no robot of this name",
         expected=f"did you mean {listing(near)}?" if near else "give a file",
     )
+
+
+def _alike(text: str, names: Iterable[str]) -> list[str]:
+    """The names that differ from ``text`` by capitals, spaces and dashes only."""
+
+    def plain(name: str) -> str:
+        return re.sub(r"[\s_-]", "", name).casefold()
+
+    return [name for name in names if plain(name) == plain(text)]
 
 
 def _own_robots() -> Iterator[Path]:

@@ -14,6 +14,7 @@ from typing import Any, NoReturn
 
 import yaml
 
+from cuspaudit.robot.other_files import check_kind
 from cuspaudit.robot.place import Place, quoted
 
 __all__ = ["Table", "read_mapping", "read_text", "table_from_mapping"]
@@ -64,6 +65,8 @@ def table_from_mapping(entries: Mapping[str, object], place: Place) -> Table:
         InvalidRobotError: it has no list of joints.
     """
     head = dict(entries)
+    if "joints" not in head:
+        check_kind(entries, "a robot", place)
     rows = head.pop("joints", None)
     if not isinstance(rows, list) or not all(isinstance(row, dict) for row in rows):
         expected = "write a list of rows such as {type: revolute, a: 1, alpha: 0, d: 0}"

@@ -20,6 +20,7 @@ from cuspaudit.algebra.polynomial_text import VARIABLE, parse_polynomial
 from cuspaudit.algebra.ring import Polynomial, Ring
 from cuspaudit.algebra.system import PolynomialMap, PolynomialSystem
 from cuspaudit.errors import InvalidRobotError, InvalidSystemError
+from cuspaudit.robot.other_files import check_kind
 from cuspaudit.robot.place import Place, listing, quoted
 from cuspaudit.robot.tables import read_mapping
 
@@ -83,6 +84,8 @@ class _Reader:
     entries: Mapping[str, object]
 
     def system(self) -> SystemFile:
+        if "map" not in self.entries:
+            check_kind(self.entries, "a polynomial system", Place(self.file))
         unknown = [key for key in self.entries if key not in _KEYS]
         if unknown:
             expected = f"known keys are {', '.join(_KEYS)}"

@@ -56,6 +56,9 @@ def read_robot(
             not belong to this kind of file.
     """
     path = Path(path)
+    if path.is_dir():
+        expected = f"name a file in it, or type: cuspaudit check {path}"
+        raise Place(str(path)).error("this is a folder", expected)
     known = format_of(path)
     if known is None:
         found = f"files ending in {quoted(path.suffix)} are unknown"
