@@ -33,8 +33,9 @@ ALLOWED = {
     "family": AUDIT,
     "viz": {"errors", "certificate", "certificate_js", "robot"},
     "pictures": AUDIT | {"viz"},
+    "atlas": AUDIT | {"viz", "pictures"},
     "api": AUDIT | {"toolpath", "family", "viz", "pictures"},
-    "cli": AUDIT | {"toolpath", "family", "viz", "pictures", "api"},
+    "cli": AUDIT | {"toolpath", "family", "viz", "pictures", "atlas", "api"},
     "pytest_plugin": {"auditing", "robot"},
 }
 OWNERS = {
@@ -49,7 +50,7 @@ OWNERS = {
     "matplotlib": {"viz"},
     "pinocchio": {"auditing"},
     "pyarrow": {"family"},
-    "distributed": {"family"},
+    "distributed": {"family", "atlas"},
     "pytest": {"pytest_plugin"},
 }
 

@@ -25,6 +25,7 @@ _COMMANDS = (
     ("show", "show", "show", "chablat-2022-3r --html witness.html"),
     ("plot", "plot", "plot", "chablat-2022-3r -o figure.png"),
     ("import", "import_", "import_", "ur5_robot --to msolve > ik.ms"),
+    ("atlas", "atlas", "atlas", "robots/ --library -o site -j 2"),
     ("check", "check", "check", "robots/ -j 2 --junit report.xml"),
     ("trace", "trace", "trace", "crx.urdf --tip tool0 weld.csv --json trace.json"),
     ("setup", "setup", "setup", ""),

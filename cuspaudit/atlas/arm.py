@@ -1,0 +1,112 @@
+"""One arm audited for the atlas: in a process of its own, or on another machine."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+import cuspaudit
+from cuspaudit.atlas.entry import Entry, entry_from_record, failed_entry
+from cuspaudit.atlas.picture import picture
+from cuspaudit.auditing.audit import Options, audit
+from cuspaudit.auditing.certificates import certificate_text
+from cuspaudit.auditing.certified_robot import regular_posture
+from cuspaudit.auditing.record import Audit
+from cuspaudit.errors import CuspauditError, unforeseen
+from cuspaudit.pictures.page import page_text
+from cuspaudit.robot.library import open_robot
+from cuspaudit.robot.virtual_joint import with_virtual_joint
+
+__all__ = ["Arm", "Made", "arm_key", "make_arm"]
+
+_FORMAT = "1"
+
+
+@dataclass(frozen=True)
+class Arm:
+    """An arm to be audited.
+
+    Attributes:
+        source: a file, or a name of the library.
+        slug: name of its files in the site.
+        timeout: seconds after which no further step of the audit begins, or None.
+        seed: of every random choice.
+    """
+
+    source: str
+    slug: str
+    timeout: float | None
+    seed: int = 0
+
+
+@dataclass(frozen=True)
+class Made:
+    """What an audit gives the site.
+
+    Attributes:
+        entry: the line of the table.
+        page: the offline page; "" where there is no audit.
+        certificate: its text; "" where there is none.
+        record: the audit as JSON.
+    """
+
+    entry: Entry
+    page: str = ""
+    certificate: str = ""
+    record: str = ""
+
+
+def arm_key(arm: Arm, content: bytes) -> str:
+    """What an entry depends on: the file, the way it is audited, and the program."""
+    parts = (_FORMAT, cuspaudit.__version__, arm.source, arm.timeout, arm.seed)
+    return hashlib.sha256(repr(parts).encode() + content).hexdigest()[:16]
+
+
+def make_arm(arm: Arm, key: str) -> Made:
+    """Audit ``arm``; an error is the arm's and ends nothing else.
+
+    The times an audit took are left out: the same arm gives the same files.
+    """
+    try:
+        return _made(arm, key)
+    except CuspauditError as error:
+        text = str(error)
+    except Exception as error:  # the other arms are audited all the same
+        text = unforeseen(error)
+    return Made(replace(failed_entry(arm.slug, arm.source, text), key=key))
+
+
+def _made(arm: Arm, key: str) -> Made:
+    result = audit(open_robot(arm.source), Options(arm.seed, arm.timeout))
+    proof = certificate_text(result)
+    record = _without_times(result.record(f"{arm.slug}.json" if proof else None))
+    kind = str(json.loads(proof)["kind"]) if proof else ""
+    drawn = picture(with_virtual_joint(result.shown_chain), _postures(result))
+    entry = entry_from_record(arm.slug, arm.source, record, kind, drawn)
+    return Made(
+        replace(entry, key=key),
+        page_text(record, result, proof),
+        proof or "",
+        json.dumps(record, indent=1, allow_nan=False) + "\n",
+    )
+
+
+def _postures(result: Audit) -> list[list[float]]:
+    """The two ends of the witness path, or one regular posture."""
+    chain = with_virtual_joint(result.shown_chain)
+    if result.witness is not None:
+        path = result.witness.path
+        return [[float(x) for x in row] for row in (path[0], path[-1])]
+    return [[float(x) / 3 for x in regular_posture(chain)]]
+
+
+def _without_times(record: dict[str, Any]) -> dict[str, Any]:
+    return record | {"seconds": {}, "robot": _named(record["robot"])}
+
+
+def _named(robot: dict[str, Any]) -> dict[str, Any]:
+    """The robot with the name of its file alone: where it stood is nobody's matter."""
+    return robot | {"file": Path(str(robot["file"])).name}
