@@ -30,7 +30,13 @@ from cuspaudit.kinematics.nearest.meeting import (
     parallel,
     square_and_meeting,
 )
-from cuspaudit.kinematics.nearest.patterns import Pattern, Relation, Way, patterns_for
+from cuspaudit.kinematics.nearest.patterns import (
+    Pattern,
+    Relation,
+    Way,
+    patterns_for,
+    way_words,
+)
 from cuspaudit.kinematics.theorems.theorem import Reduction
 from cuspaudit.robot.chain import Chain
 
@@ -119,7 +125,7 @@ def _held(
                     0.0,
                     0.0,
                     0.0,
-                    _sentence(way),
+                    way_words(way),
                     (),
                     model,
                     reduction,
@@ -140,7 +146,7 @@ def _nearest(
                 moved.length,
                 moved.angle,
                 moved.size,
-                _sentence(moved.way),
+                way_words(moved.way),
                 moved.axes,
                 near,
                 reduction,
@@ -251,7 +257,3 @@ def _slide_places(links: list[Link], k: int, move: Meeting) -> None:
 def _moved(way: Way, moves: _Moves) -> _Moved | None:
     found = [move for relation in way if (move := moves.least(relation)) is not None]
     return _Moved(way, tuple(found), moves.reach) if len(found) == len(way) else None
-
-
-def _sentence(way: Way) -> str:
-    return "; ".join(str(relation) for relation in way)

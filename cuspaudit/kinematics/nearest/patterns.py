@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from itertools import product
+from itertools import groupby, product
 
 from cuspaudit.kinematics.exact_model import ExactModel
 from cuspaudit.kinematics.neighbors import concurrent, coplanar, orthogonal, parallel
@@ -21,7 +21,7 @@ from cuspaudit.kinematics.theorems.triple_and_pair import PLACES, TRIPLE_AND_PAI
 from cuspaudit.kinematics.theorems.ur_pattern import UR_PATTERN
 from cuspaudit.robot.chain import Chain
 
-__all__ = ["Pattern", "Relation", "Way", "patterns_for"]
+__all__ = ["Pattern", "Relation", "Way", "patterns_for", "way_words"]
 
 
 @dataclass(frozen=True)
@@ -40,11 +40,11 @@ class Relation:
         """Whether it does, tested exactly."""
         return _TESTS[self.kind](model, self.first)
 
-    def __str__(self) -> str:
+    @property
+    def axes(self) -> tuple[int, ...]:
+        """The numbers of the axes."""
         count = 3 if self.kind == "meet in one point" else 2
-        numbers = ", ".join(str(self.first + i) for i in range(count))
-        verb = "are " if self.kind == "parallel" else ""
-        return f"axes {numbers} {verb}{self.kind}"
+        return tuple(range(self.first, self.first + count))
 
 
 Way = tuple[Relation, ...]
@@ -66,6 +66,28 @@ class Pattern:
 def patterns_for(chain: Chain) -> tuple[Pattern, ...]:
     """The patterns of theorems on arms with the joints and the task of ``chain``."""
     return tuple(each for each in _PATTERNS if each.theorem.speaks_of(chain))
+
+
+def way_words(way: Way) -> str:
+    """How the axes stand, those of one kind together.
+
+    >>> way_words((Relation("parallel", 2), Relation("parallel", 3)))
+    'axes 2, 3, 4 are parallel'
+    >>> way_words((Relation("meet", 1), Relation("meet", 5)))
+    'axes 1-2, 5-6 meet'
+    """
+    parts = []
+    for kind, same in groupby(way, key=lambda relation: relation.kind):
+        runs: list[tuple[int, ...]] = []
+        for relation in same:
+            if kind == "parallel" and runs and runs[-1][-1] == relation.first:
+                runs[-1] += relation.axes[1:]
+            else:
+                runs.append(relation.axes)
+        between = ", " if len(runs) == 1 else "-"
+        axes = ", ".join(between.join(map(str, run)) for run in runs)
+        parts.append(f"axes {axes} {'are ' * (kind == 'parallel')}{kind}")
+    return "; ".join(parts)
 
 
 def _meet_at_right_angles(model: ExactModel, first: int) -> bool:
