@@ -174,8 +174,8 @@ def within_limits(
             kind="monotony",
             rests_on=found.rests_on,
         )
+    clock.step("limits", always=True)
     try:
-        clock.step("limits")
         result = _cuspidal(nothing, found, literal, seed) or _exactly(
             nothing, found, clock
         )

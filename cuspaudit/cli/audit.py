@@ -109,7 +109,9 @@ def audit(
     if html:
         from cuspaudit.pictures.page import page_text
 
-        write_text(html, page_text(record, result, proof))
+        inside = result.within is not None and result.within.witness is not None
+        shown = certificate_text(result, within=True) if inside else proof
+        write_text(html, page_text(record, result, shown))
     if json_file == "-":
         typer.echo(json.dumps(record, indent=1, allow_nan=False))
     else:
