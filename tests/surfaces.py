@@ -15,7 +15,7 @@ from cuspaudit.cuspidality.surface_decision import SurfaceDecision, decide_surfa
 from cuspaudit.geometry.crit import crit
 from cuspaudit.kinematics.exact_model import exact_model
 from cuspaudit.kinematics.polynomial_map import reduced_map
-from cuspaudit.surface.roadmap import Roadmap, orient, roadmap
+from cuspaudit.surface.roadmap import SurfaceRoadmap, orient, roadmap
 from cuspaudit.surface.surface import Surface, product_factors
 
 Array = NDArray[np.float64]
@@ -50,7 +50,7 @@ def cylinder(build: Build) -> tuple[PolynomialSystem, PolynomialMap]:
     )
 
 
-def road_of(variety: PolynomialSystem, delta: Polynomial) -> Roadmap:
+def road_of(variety: PolynomialSystem, delta: Polynomial) -> SurfaceRoadmap:
     """The roadmap of {delta != 0} on a product of circles and lines."""
     surface = Surface(variety.ring, *product_factors(variety))
     reduced = surface.reduce(delta)

@@ -12,7 +12,7 @@ from cuspaudit.auditing.case import HAIR_POSES, Case
 from cuspaudit.auditing.crosscheck.compare import CrossCheck, crosscheck
 from cuspaudit.auditing.crosscheck.pinocchio_model import is_readable
 from cuspaudit.auditing.deciders.decide import decide
-from cuspaudit.auditing.deciders.ways import HAIR
+from cuspaudit.auditing.deciders.registry import HAIR
 from cuspaudit.auditing.options import Options
 from cuspaudit.auditing.record import Audit
 from cuspaudit.auditing.structure_certificate import structure_certificate

@@ -1,4 +1,4 @@
-"""A family of robot files, each held to the verdict recorded in it."""
+"""Robot files, each held to the verdict recorded in it."""
 
 from __future__ import annotations
 

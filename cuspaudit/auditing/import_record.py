@@ -19,10 +19,10 @@ from cuspaudit.robot.robot import Robot
 from cuspaudit.robot.snap_policy import DEFAULT_POLICY, SnapPolicy
 from cuspaudit.robot.snapping import snap
 
-__all__ = ["understood"]
+__all__ = ["import_record"]
 
 
-def understood(robot: Robot, policy: SnapPolicy = DEFAULT_POLICY) -> dict[str, Any]:
+def import_record(robot: Robot, policy: SnapPolicy = DEFAULT_POLICY) -> dict[str, Any]:
     """The literal chain in exact text, what snapping changes, and the map.
 
     The polynomial map is that of the snapped chain: f, R (`polynomial_map.place`; none

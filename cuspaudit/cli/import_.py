@@ -22,7 +22,7 @@ from cuspaudit.cli.options import (
     TaskName,
     Tip,
 )
-from cuspaudit.cli.summary import print_understood
+from cuspaudit.cli.summary import print_import
 from cuspaudit.errors import InvalidInputError
 
 if TYPE_CHECKING:
@@ -78,7 +78,7 @@ def import_(
             found="no robot named",
             expected="give ROBOT, or --list for the names known",
         )
-    from cuspaudit.auditing.import_record import understood
+    from cuspaudit.auditing.import_record import import_record
     from cuspaudit.robot.library import serial_chains
     from cuspaudit.robot.snap_policy import policy_from_name
 
@@ -95,8 +95,8 @@ def import_(
     if to:
         typer.echo(_written(opened, to, policy, seed), nl=False)
         return
-    found = understood(opened, policy)
-    typer.echo(json.dumps(found, indent=1)) if as_json else print_understood(found)
+    found = import_record(opened, policy)
+    typer.echo(json.dumps(found, indent=1)) if as_json else print_import(found)
 
 
 def _print_names() -> None:

@@ -12,7 +12,7 @@ from rich.text import Text
 
 from cuspaudit.robot.distance_text import distance_text, structure_words
 
-__all__ = ["print_summary", "print_understood"]
+__all__ = ["print_import", "print_summary"]
 
 _LONGEST_FACTOR = 600
 COLOUR = {"cuspidal": "bold red", "noncuspidal": "bold green", "undecided": "yellow"}
@@ -145,7 +145,7 @@ def _check_line(check: Mapping[str, Any]) -> str:
     )
 
 
-def print_understood(found: Mapping[str, Any]) -> None:
+def print_import(found: Mapping[str, Any]) -> None:
     """The chain as a table, and what snapping changes."""
     console = Console(highlight=False, soft_wrap=True)
     console.print(

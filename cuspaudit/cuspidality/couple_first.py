@@ -41,7 +41,7 @@ from cuspaudit.algebra.ring import Polynomial
 from cuspaudit.algebra.system import PolynomialMap, PolynomialSystem
 from cuspaudit.algebra.zero_dimensional import solve_zero_dimensional
 from cuspaudit.errors import NotZeroDimensionalError, PrecisionError, UnableError
-from cuspaudit.geometry.heights.charted_height import Landscape
+from cuspaudit.geometry.heights.charted_height import ChartedHeight
 from cuspaudit.geometry.heights.critical_points import box_of
 from cuspaudit.geometry.heights.guessed_ways import GuessedWays, random_points
 from cuspaudit.geometry.heights.height import heights
@@ -168,7 +168,7 @@ class _Search:
         self._ring = essential.whole.ring
         own = essential.variety
         height = next(heights(own, essential.minors, seed))
-        self._ways = GuessedWays(Landscape(own, essential.dimension, height), seed)
+        self._ways = GuessedWays(ChartedHeight(own, essential.dimension, height), seed)
         self._flat = len(mapping.components)
         self._values = Evaluator(self._ring, mapping.functions)
         self._points = random_points(own, seed)

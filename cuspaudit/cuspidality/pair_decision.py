@@ -55,7 +55,7 @@ from cuspaudit.errors import PrecisionError
 from cuspaudit.geometry.sample_points_rational import sample_points_rational
 from cuspaudit.surface.graph_isotop import RoadmapGraph, Vertex, graph_isotop
 from cuspaudit.surface.pair_sheets import PairSheets, pair_sheets
-from cuspaudit.surface.roadmap import Roadmap, roadmap
+from cuspaudit.surface.roadmap import SurfaceRoadmap, roadmap
 from cuspaudit.surface.surface import Surface
 from cuspaudit.surface.value_circles import value_circles
 
@@ -124,7 +124,7 @@ class PairDecision:
     delta: Polynomial
     sheets: PairSheets | None
     pairs: list[tuple[PairEnd, PairEnd]]
-    roadmap: Roadmap
+    roadmap: SurfaceRoadmap
     graph: RoadmapGraph
     couples: list[PairCouple]
 
@@ -212,7 +212,7 @@ def pairs_off(
             yield PairEnd(sheets, (x, w), sheet), PairEnd(sheets, (w, x), sheet)
 
 
-def _vertex(road: Roadmap, end: PairEnd) -> Vertex:
+def _vertex(road: SurfaceRoadmap, end: PairEnd) -> Vertex:
     """The strip of an end and the sign of Delta there.
 
     Raises:

@@ -18,7 +18,7 @@ from cuspaudit.geometry.sample_points_rational import sample_points_rational
 from cuspaudit.surface.atypical_values import atypical_values
 from cuspaudit.surface.fibers import FiberPolynomials, fiber_polynomials
 from cuspaudit.surface.graph_isotop import RoadmapGraph, graph_isotop
-from cuspaudit.surface.roadmap import Roadmap, orient, roadmap
+from cuspaudit.surface.roadmap import SurfaceRoadmap, orient, roadmap
 from cuspaudit.surface.sample_points import Fiber, Posture, sample_points
 from cuspaudit.surface.surface import Surface, product_factors
 
@@ -66,7 +66,7 @@ class SurfaceDecision:
     fibers: FiberPolynomials
     atypical: list[Polynomial]
     samples: list[Fiber]
-    roadmap: Roadmap
+    roadmap: SurfaceRoadmap
     graph: RoadmapGraph
     couples: list[SurfaceCouple]
 

@@ -8,10 +8,10 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["Runs"]
+__all__ = ["IndexSet"]
 
 
-class Runs:
+class IndexSet:
     """Whole numbers, held as the ends of their runs.
 
     >>> some = Runs()

@@ -31,7 +31,7 @@ import yaml
 from cuspaudit.errors import InvalidInputError
 from cuspaudit.family.family import Family
 from cuspaudit.family.family_file import read_family
-from cuspaudit.family.index_set import Runs
+from cuspaudit.family.index_set import IndexSet
 from cuspaudit.family.row import Row
 from cuspaudit.runtime.writing import write_text
 
@@ -55,7 +55,7 @@ class Store:
         """Name the folder; nothing is touched before ``with``."""
         self.folder, self._family = folder, family
         self.parts = folder / "results.parquet"
-        self.done = Runs()
+        self.done = IndexSet()
         self._about = {"hash": family.hash, "seed": family.seed, "versions": versions}
         self._schema = _schema(family, self._about)
         self._waiting: list[Row] = []

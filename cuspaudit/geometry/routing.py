@@ -48,12 +48,12 @@ from cuspaudit.errors import (
     PrecisionError,
     UnableError,
 )
-from cuspaudit.geometry.heights.charted_height import Landscape
+from cuspaudit.geometry.heights.charted_height import ChartedHeight
 from cuspaudit.geometry.heights.critical_points import Point, box_of, critical_points
 from cuspaudit.geometry.heights.height import heights
 from cuspaudit.geometry.heights.morse import Basin, CriticalPoint
 from cuspaudit.geometry.heights.proved_ascent import Ascent, prove_ascent
-from cuspaudit.geometry.heights.saddle_ways import Way, basin_of, graph_of_ways
+from cuspaudit.geometry.heights.saddle_ways import SaddleWay, basin_of, graph_of_ways
 from cuspaudit.geometry.lifts.lifting import Box
 from cuspaudit.runtime.clock import time_left, time_limit
 
@@ -78,7 +78,7 @@ class Routing:
         seed: of the ascents.
     """
 
-    landscape: Landscape
+    landscape: ChartedHeight
     maxima: tuple[CriticalPoint, ...]
     saddles: tuple[CriticalPoint, ...]
     graph: nx.Graph[int]
@@ -140,7 +140,7 @@ class Routing:
         ways = self._ways(a.top, b.top)
         return math.exp(min(a.level, b.level, *(way.level for way in ways)) / 2)
 
-    def _ways(self, first: int, second: int) -> list[Way]:
+    def _ways(self, first: int, second: int) -> list[SaddleWay]:
         """The ways between maxima over the highest saddles, each turned forward."""
         tree = nx.maximum_spanning_tree(self.graph, weight="level")
         pairs = pairwise(nx.shortest_path(tree, first, second))
@@ -228,7 +228,7 @@ def _by_some_height(
 ) -> Routing:
     why = "no height"
     for height in heights(variety, minors, seed):
-        landscape = Landscape(variety, dimension, height)
+        landscape = ChartedHeight(variety, dimension, height)
         progress("routing: critical points")
         try:
             critical, grounds = critical_points(landscape, _left(), seed)
@@ -243,7 +243,7 @@ def _by_some_height(
 
 
 def _routing(
-    landscape: Landscape,
+    landscape: ChartedHeight,
     critical: Sequence[CriticalPoint],
     grounds: tuple[str, ...],
     seed: int,
@@ -261,7 +261,7 @@ def _left() -> float:
 
 
 def _query_ascent(
-    landscape: Landscape, ball: Box, basins: Sequence[Basin], seed: int
+    landscape: ChartedHeight, ball: Box, basins: Sequence[Basin], seed: int
 ) -> Ascent:
     level = landscape.height.value(ball)
     if level is None:
@@ -272,7 +272,7 @@ def _query_ascent(
     return found
 
 
-def _check_query(landscape: Landscape, point: Point) -> None:
+def _check_query(landscape: ChartedHeight, point: Point) -> None:
     """Exactly: f = 0 and P != 0 at the point."""
     ring, base = landscape.variety.ring, landscape.height.base
     own = Ring(tuple(ring.context.names()))

@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 from cuspaudit.algebra.angles import FULL_TURN
 from cuspaudit.pictures.joint_surface import Array, JointSurface
 
-__all__ = ["Band", "Piece", "bands", "pieces", "trace", "wall_pieces"]
+__all__ = ["Band", "CurvePiece", "bands", "pieces", "trace", "wall_pieces"]
 
 _STEPS = 360
 _ROUNDS = 7
@@ -56,7 +56,7 @@ class Band:
 
 
 @dataclass(frozen=True)
-class Piece:
+class CurvePiece:
     """A smooth piece of the critical curve, a function of s in [start, stop].
 
     Attributes:
@@ -120,25 +120,27 @@ def bands(surface: JointSurface) -> list[Band]:
     return found
 
 
-def pieces(surface: JointSurface) -> list[Piece]:
+def pieces(surface: JointSurface) -> list[CurvePiece]:
     """The critical curve, without the fibers that are critical as a whole."""
-    found: list[Piece] = []
+    found: list[CurvePiece] = []
     for band in bands(surface):
         if len(surface.decision.roadmap.strips[band.strip].signs) == 2:
-            found += (Piece(surface, band, *span) for span in _spans(surface, band))
+            found += (
+                CurvePiece(surface, band, *span) for span in _spans(surface, band)
+            )
     return found
 
 
-def wall_pieces(surface: JointSurface) -> list[Piece]:
+def wall_pieces(surface: JointSurface) -> list[CurvePiece]:
     """The fibers on which Delta vanishes as a whole."""
     reach = math.pi if surface.fiber.kind == "circle" else surface.reach
     return [
-        Piece(surface, None, -reach, reach, 0, surface.base_at(root))
+        CurvePiece(surface, None, -reach, reach, 0, surface.base_at(root))
         for root in surface.decision.roadmap.walls.values()
     ]
 
 
-def trace(piece: Piece) -> tuple[Array, Array]:
+def trace(piece: CurvePiece) -> tuple[Array, Array]:
     """Parameters s and points (y, x), close enough for a smooth drawing.
 
     Steps are halved until they are small in the plane of values as well. Angles run on

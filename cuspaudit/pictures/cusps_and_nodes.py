@@ -14,7 +14,7 @@ import numpy as np
 
 from cuspaudit.count import Count
 from cuspaudit.errors import CrossCheckError
-from cuspaudit.pictures.critical_curve import Piece
+from cuspaudit.pictures.critical_curve import CurvePiece
 from cuspaudit.pictures.joint_surface import Array, JointSurface
 
 __all__ = ["CriticalPoints", "critical_points"]
@@ -41,7 +41,7 @@ class CriticalPoints:
 
 def critical_points(
     surface: JointSurface,
-    traced: list[tuple[Piece, Array, Array]],
+    traced: list[tuple[CurvePiece, Array, Array]],
     cusps: Count | None,
     nodes: Count | None,
 ) -> CriticalPoints:
@@ -77,7 +77,7 @@ def _hold(what: str, found: int, proved: Count | None) -> None:
         )
 
 
-def _cusps(piece: Piece, s: Array) -> list[Array]:
+def _cusps(piece: CurvePiece, s: Array) -> list[Array]:
     """The points where the curve of values turns back, by bisection in s."""
     if not piece.is_closed:
         s = s[(s > piece.start + _CLEAR) & (s < piece.stop - _CLEAR)]
@@ -99,7 +99,7 @@ def _cusps(piece: Piece, s: Array) -> list[Array]:
     return found
 
 
-def _motion(piece: Piece, s: Array) -> tuple[Array, Array]:
+def _motion(piece: CurvePiece, s: Array) -> tuple[Array, Array]:
     """(dR T, a unit vector of the image of dR) at s, (m, 2) each."""
     by_y, by_x = np.moveaxis(piece.surface.slopes(piece.points(s)), 1, 0)
     motion = by_y[:, :1] * by_x[:, 1:] - by_x[:, :1] * by_y[:, 1:]
@@ -110,7 +110,7 @@ def _motion(piece: Piece, s: Array) -> tuple[Array, Array]:
 
 
 def _nodes(
-    surface: JointSurface, traced: list[tuple[Piece, Array, Array]]
+    surface: JointSurface, traced: list[tuple[CurvePiece, Array, Array]]
 ) -> list[Array]:
     starts, ends, owners = [], [], []
     for number, (_, s, points) in enumerate(traced):
@@ -153,7 +153,7 @@ def _side(a: Array, b: Array, point: Array) -> Array:
 
 
 def _refine(
-    traced: list[tuple[Piece, Array, Array]],
+    traced: list[tuple[CurvePiece, Array, Array]],
     first: tuple[int, float, float],
     second: tuple[int, float, float],
 ) -> Array | None:
@@ -161,7 +161,7 @@ def _refine(
     curves = [traced[number][0] for number, *_ in (first, second)]
     s = np.array([(low + high) / 2 for _, low, high in (first, second)])
 
-    def value(curve: Piece, at: float) -> Array:
+    def value(curve: CurvePiece, at: float) -> Array:
         return np.asarray(curve.surface.values(curve.points(np.array([at])))[0])
 
     for _ in range(_NEWTON):
@@ -180,7 +180,7 @@ def _refine(
 
 
 def _wall_nodes(
-    surface: JointSurface, traced: list[tuple[Piece, Array, Array]]
+    surface: JointSurface, traced: list[tuple[CurvePiece, Array, Array]]
 ) -> list[Array]:
     """Values of wholly critical fibers with one value, where two branches meet."""
     road = surface.decision.roadmap

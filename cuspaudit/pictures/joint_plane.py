@@ -15,7 +15,7 @@ import numpy as np
 
 from cuspaudit.algebra.angles import FULL_TURN, shortest_turn
 from cuspaudit.cuspidality.surface_path import posture_angles
-from cuspaudit.pictures.critical_curve import Band, Piece, bands
+from cuspaudit.pictures.critical_curve import Band, CurvePiece, bands
 from cuspaudit.pictures.joint_surface import Array, JointSurface
 from cuspaudit.pictures.value_plane import finite_runs
 from cuspaudit.surface.graph_isotop import RoadmapGraph
@@ -29,7 +29,7 @@ _STEPS = 500
 
 def joint_plane(
     surface: JointSurface,
-    traced: list[tuple[Piece, Array, Array]],
+    traced: list[tuple[CurvePiece, Array, Array]],
     fiber: Fiber,
     graph: RoadmapGraph,
     path: Array | None,

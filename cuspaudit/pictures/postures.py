@@ -31,7 +31,7 @@ from cuspaudit.robot.chain import Chain, reverse
 from cuspaudit.robot.frames import angle_value, frames, jacobian
 from cuspaudit.surface.sample_points import Fiber
 
-__all__ = ["Shown", "shown_postures"]
+__all__ = ["ShownPostures", "shown_postures"]
 
 Array = NDArray[np.float64]
 Label = tuple[int, ...]
@@ -41,7 +41,7 @@ _NEAR, _APART = 1e-9, 1e-4
 
 
 @dataclass(frozen=True)
-class Shown:
+class ShownPostures:
     """Postures, of one pose where there are several.
 
     Attributes:
@@ -53,7 +53,7 @@ class Shown:
     aspects: Sequence[str] | None
 
 
-def shown_postures(answer: Answer, seed: int = 0) -> Shown:
+def shown_postures(answer: Answer, seed: int = 0) -> ShownPostures:
     """The postures of a pose that has many, sorted by aspect.
 
     Those of a sample value for a three-joint arm or one reduced to it; those of one of
@@ -71,10 +71,10 @@ def shown_postures(answer: Answer, seed: int = 0) -> Shown:
             return _of_a_pose(answer.model, seed)
         return _of_a_sample(answer, answer.decision)
     except UnableError:
-        return Shown([[0.2] * len(answer.model.chain.joints)], None)
+        return ShownPostures([[0.2] * len(answer.model.chain.joints)], None)
 
 
-def _of_an_angle(model: ExactModel, seed: int) -> Shown:
+def _of_an_angle(model: ExactModel, seed: int) -> ShownPostures:
     """The postures that Newton's method meets, of the random place with the most."""
     rng = np.random.default_rng(seed)
     size = reach_scale(model.chain) / 2
@@ -103,7 +103,7 @@ def _met(model: ExactModel, first: Array, starts: Array) -> Array:
     return np.where(turns, wrapped, np.array(met))
 
 
-def _of_a_pose(model: ExactModel, seed: int) -> Shown:
+def _of_a_pose(model: ExactModel, seed: int) -> ShownPostures:
     """The postures of the pose with the most of them, far from singular.
 
     Raises:
@@ -120,14 +120,14 @@ def _of_a_pose(model: ExactModel, seed: int) -> Shown:
     return _coloured(model, found[best])
 
 
-def _coloured(model: ExactModel, postures: Array) -> Shown:
+def _coloured(model: ExactModel, postures: Array) -> ShownPostures:
     """The postures by aspect, or by the sign of det J where aspects are not known."""
     try:
         components = aspect_components(model)
     except UnableError:
         heights = [np.linalg.det(jacobian(model.chain, q)) for q in postures]
         order = np.argsort(np.array(heights) < 0, kind="stable")
-        return Shown(postures[order].tolist(), None)
+        return ShownPostures(postures[order].tolist(), None)
     return _named(postures, [_label(model, components, q) for q in postures])
 
 
@@ -148,15 +148,15 @@ def _label(model: ExactModel, components: TorusComponents, posture: Array) -> La
     return label
 
 
-def _named(postures: Array, labels: Sequence[Label]) -> Shown:
+def _named(postures: Array, labels: Sequence[Label]) -> ShownPostures:
     """The postures sorted by label, the labels numbered from 1."""
     order = sorted(range(len(labels)), key=lambda i: labels[i])
     numbers = {label: n for n, label in enumerate(sorted(set(labels)), 1)}
     names = [f"aspect {numbers[labels[i]]}" for i in order]
-    return Shown([postures[i].tolist() for i in order], names)
+    return ShownPostures([postures[i].tolist() for i in order], names)
 
 
-def _of_a_sample(answer: Answer, decision: SurfaceDecision) -> Shown:
+def _of_a_sample(answer: Answer, decision: SurfaceDecision) -> ShownPostures:
     """The postures of the sample value with the most of them, far from singular.
 
     With a wrist each aspect of the three joints is two of the arm's, one for either
@@ -189,7 +189,7 @@ def _of_a_sample(answer: Answer, decision: SurfaceDecision) -> Shown:
         aspects += [aspect + decision.aspects for aspect in aspects]
     order = np.argsort(aspects, kind="stable")
     names = [f"aspect {aspects[i]}" for i in order]
-    return Shown([postures[i].tolist() for i in order], names)
+    return ShownPostures([postures[i].tolist() for i in order], names)
 
 
 def _last(answer: Answer, path: SurfacePath) -> Array:

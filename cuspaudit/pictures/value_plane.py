@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from cuspaudit.algebra.numeric import numeric_values
 from cuspaudit.algebra.ring import Rational
-from cuspaudit.pictures.critical_curve import Piece
+from cuspaudit.pictures.critical_curve import CurvePiece
 from cuspaudit.pictures.cusps_and_nodes import CriticalPoints
 from cuspaudit.pictures.joint_surface import Array, JointSurface
 from cuspaudit.surface.sample_points import Fiber
@@ -30,7 +30,7 @@ _POINT = 1e-9
 
 def value_plane(
     surface: JointSurface,
-    traced: list[tuple[Piece, Array, Array]],
+    traced: list[tuple[CurvePiece, Array, Array]],
     special: CriticalPoints,
     focus: Fiber,
 ) -> ValuePlane:

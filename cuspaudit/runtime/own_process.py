@@ -21,12 +21,12 @@ from typing import Any
 from cuspaudit.errors import TimeLimitError, UnableError
 from cuspaudit.runtime.clock import Clock, Progress
 
-__all__ = ["run_apart"]
+__all__ = ["run_in_own_process"]
 
 _PATIENCE = 0.2
 
 
-def run_apart(
+def run_in_own_process(
     work: Callable[[Progress], Any],
     *,
     timeout: float | None = None,

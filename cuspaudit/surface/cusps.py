@@ -22,7 +22,7 @@ from cuspaudit.algebra.ring import Polynomial, Ring
 from cuspaudit.algebra.system import PolynomialMap
 from cuspaudit.algebra.univariate import RealRoot, Univariate, real_roots
 from cuspaudit.count import Count
-from cuspaudit.surface.roadmap import Roadmap
+from cuspaudit.surface.roadmap import SurfaceRoadmap
 from cuspaudit.surface.surface import ROTATIONS, Factor, Surface
 
 __all__ = ["cusps"]
@@ -53,7 +53,7 @@ class _Branches:
         return {-plain * root} - {0}
 
 
-def cusps(road: Roadmap, mapping: PolynomialMap, delta: Polynomial) -> Count:
+def cusps(road: SurfaceRoadmap, mapping: PolynomialMap, delta: Polynomial) -> Count:
     """The number of cusps of R: simple tangencies of ker dR and the critical curve.
 
     Proved when every common zero of kappa_1 and kappa_2 on the critical curve is
@@ -196,7 +196,7 @@ def _univariate(ring: Ring, polynomial: Polynomial) -> Univariate:
     return Univariate.from_polynomial(ring, polynomial, "x")
 
 
-def _walls_have_no_cusp(road: Roadmap, mapping: PolynomialMap) -> bool:
+def _walls_have_no_cusp(road: SurfaceRoadmap, mapping: PolynomialMap) -> bool:
     """Whether no cusp can lie on a fiber where P = Q = S = 0.
 
     There kappa_i vanishes where Delta/f does (a crossing) or where d_y R = 0: nowhere

@@ -23,7 +23,7 @@ from cuspaudit.algebra.system import PolynomialMap
 from cuspaudit.algebra.univariate import PRECISIONS, RealRoot, Univariate
 from cuspaudit.count import Count
 from cuspaudit.surface.fibers import FiberPolynomials
-from cuspaudit.surface.roadmap import Roadmap
+from cuspaudit.surface.roadmap import SurfaceRoadmap
 
 __all__ = ["nodes"]
 
@@ -31,7 +31,9 @@ Conic = tuple[Polynomial, ...]
 _BITS = 128
 
 
-def nodes(fibers: FiberPolynomials, road: Roadmap, mapping: PolynomialMap) -> Count:
+def nodes(
+    fibers: FiberPolynomials, road: SurfaceRoadmap, mapping: PolynomialMap
+) -> Count:
     """The number of real values with two distinct real double postures.
 
     Proved when F is such a quartic on a base circle and every sign that decides is
@@ -41,7 +43,7 @@ def nodes(fibers: FiberPolynomials, road: Roadmap, mapping: PolynomialMap) -> Co
     return Count(plain.count + walls.count, plain.proved and walls.proved)
 
 
-def _at_walls(road: Roadmap, mapping: PolynomialMap) -> Count:
+def _at_walls(road: SurfaceRoadmap, mapping: PolynomialMap) -> Count:
     """Values of wholly critical fibers through which two critical branches pass."""
     values, proved = [], True
     for index, root in road.walls.items():
@@ -63,7 +65,7 @@ def _at_walls(road: Roadmap, mapping: PolynomialMap) -> Count:
 
 
 def _only_value(
-    road: Roadmap, mapping: PolynomialMap, root: RealRoot
+    road: SurfaceRoadmap, mapping: PolynomialMap, root: RealRoot
 ) -> tuple[arb, ...] | None:
     """R on the fiber over ``root`` if it is constant there."""
     ring, x = road.surface.chart_ring, root.enclosure(_BITS)

@@ -1,4 +1,4 @@
-"""Roadmap of the complement of the critical curve on a surface (``Roadmap``).
+"""Roadmap of the complement of the critical curve on a surface (``SurfaceRoadmap``).
 
 On V = fiber x base the function Delta is affine in the variables of the fiber:
 Delta = P c + Q s + S on a circle, P q + S on a line, with P, Q, S functions on the
@@ -34,7 +34,7 @@ from cuspaudit.algebra.univariate import (
 from cuspaudit.errors import RetryableError, UnableError
 from cuspaudit.surface.surface import ROTATIONS, Surface
 
-__all__ = ["Roadmap", "Strip", "orient", "roadmap"]
+__all__ = ["Strip", "SurfaceRoadmap", "orient", "roadmap"]
 
 
 @dataclass(frozen=True)
@@ -51,7 +51,7 @@ class Strip:
 
 
 @dataclass(frozen=True)
-class Roadmap:
+class SurfaceRoadmap:
     """The connectivity of {Delta != 0} along the base.
 
     Attributes:
@@ -116,7 +116,7 @@ def orient(surface: Surface, delta: Polynomial) -> Surface:
     raise UnableError("roadmap", "Delta is affine in neither factor of V")
 
 
-def roadmap(surface: Surface, delta: Polynomial) -> Roadmap:
+def roadmap(surface: Surface, delta: Polynomial) -> SurfaceRoadmap:
     """The roadmap of V - {Delta = 0}, in the chart of ``surface``.
 
     [Paper, routine Roadmap, for a surface and Delta affine along the fiber].
@@ -142,7 +142,9 @@ def roadmap(surface: Surface, delta: Polynomial) -> Roadmap:
         else:
             strips.append(Strip(sample, (parts[-1].sign(sample),)))
     passing = tuple(parts[-1].sign_at(root) for root in critical)
-    return Roadmap(surface, parts, change, tuple(critical), passing, tuple(strips))
+    return SurfaceRoadmap(
+        surface, parts, change, tuple(critical), passing, tuple(strips)
+    )
 
 
 def _choose_chart(surface: Surface, delta: Polynomial) -> Surface:

@@ -19,7 +19,7 @@ from cuspaudit.cuspidality.surface_decision import oriented
 from cuspaudit.errors import AssumptionError, RetryableError, UnableError
 from cuspaudit.kinematics.polynomial_map import reduced_map
 from cuspaudit.surface.graph_isotop import graph_isotop
-from cuspaudit.surface.roadmap import Roadmap, roadmap
+from cuspaudit.surface.roadmap import SurfaceRoadmap, roadmap
 from cuspaudit.surface.surface import Factor
 from cuspaudit.toolpath.traced_arm import TracedArm
 
@@ -90,7 +90,7 @@ def aspect_labels(arm: TracedArm) -> AspectLabels | None:
         return None
 
 
-def _vertex(road: Roadmap, point: Mapping[str, arb]) -> tuple[int, int] | None:
+def _vertex(road: SurfaceRoadmap, point: Mapping[str, arb]) -> tuple[int, int] | None:
     """The strip and the sign of Delta; None where balls do not tell."""
     with ctx.workprec(_BITS):
         x = _charted(road.surface.base, point)

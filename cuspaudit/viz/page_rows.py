@@ -11,7 +11,7 @@ from cuspaudit.robot.distance_text import distance_text, structure_words
 from cuspaudit.viz.scene.scene import Scene
 
 __all__ = [
-    "Count",
+    "CountRow",
     "PostureRow",
     "StructureRow",
     "VerdictWords",
@@ -42,7 +42,7 @@ class VerdictWords:
 
 
 @dataclass(frozen=True, slots=True)
-class Count:
+class CountRow:
     """A counted thing; ``proved`` is None when the audit does not say."""
 
     what: str
@@ -167,7 +167,7 @@ def no_path_reason(audit: Audit) -> str:
     return f"No path is shown because none was found.{because}"
 
 
-def counts(audit: Audit) -> list[Count]:
+def counts(audit: Audit) -> list[CountRow]:
     """Aspects, postures, cusps and nodes, each with what the audit says of proof."""
     singular = part(audit, "singular")
 
@@ -181,7 +181,7 @@ def counts(audit: Audit) -> list[Count]:
         ("Nodes", of_curve("nodes"), "crossings of the critical curve"),
     ]
     counted = [(what, *_counted(value), meaning) for what, value, meaning in found]
-    return [Count(*row) for row in counted if row[1] != number(None)]
+    return [CountRow(*row) for row in counted if row[1] != number(None)]
 
 
 def model_rows(audit: Audit) -> list[tuple[str, str, bool]]:

@@ -17,7 +17,7 @@ import cuspaudit
 from cuspaudit.auditing import record as record_module
 from cuspaudit.auditing.audit import Audit, Options, audit
 from cuspaudit.auditing.deciders.decide import decide
-from cuspaudit.auditing.deciders.ways import WAYS
+from cuspaudit.auditing.deciders.registry import DECIDERS
 from cuspaudit.auditing.record import SCHEMA
 from cuspaudit.certificate import verify
 from cuspaudit.cuspidality.verdict import Verdict
@@ -167,7 +167,7 @@ def test_an_undecided_arm_says_what_was_tried(monkeypatch: pytest.MonkeyPatch) -
     """Step, reason, structures looked for, search, pairs, and what would settle it."""
     monkeypatch.setattr(
         *(import_module("cuspaudit.auditing.audit"), "decide"),
-        lambda case, clock, ways=WAYS: decide(
+        lambda case, clock, ways=DECIDERS: decide(
             case, clock, [way for way in ways if way.stage != "cusp"]
         ),
     )

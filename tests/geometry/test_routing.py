@@ -16,7 +16,7 @@ from cuspaudit.algebra.zero_dimensional import solve_zero_dimensional
 from cuspaudit.cuspidality.surface_decision import decide_surface
 from cuspaudit.errors import NotOnVarietyError, UnableError
 from cuspaudit.geometry.crit import crit
-from cuspaudit.geometry.heights.charted_height import Landscape
+from cuspaudit.geometry.heights.charted_height import ChartedHeight
 from cuspaudit.geometry.routing import Routing, morse_graph, routing
 from cuspaudit.surface.graph_isotop import graph_isotop
 from cuspaudit.surface.surface import Surface, product_factors
@@ -335,7 +335,7 @@ def test_a_height_whose_critical_points_are_not_listed_is_followed_by_another(
     module = sys.modules["cuspaudit.geometry.routing"]
     true, tried = module.critical_points, []
 
-    def unable(landscape: Landscape, *rest: float) -> object:
+    def unable(landscape: ChartedHeight, *rest: float) -> object:
         tried.append(landscape.height.decay)
         if len(tried) == 1:
             raise UnableError("solve_zero_dimensional", "not listed")

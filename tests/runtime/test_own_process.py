@@ -11,7 +11,7 @@ import pytest
 from flint import fmpz
 
 from cuspaudit.errors import NotSquareError, UnableError
-from cuspaudit.runtime.own_process import run_apart
+from cuspaudit.runtime.own_process import run_in_own_process
 
 Progress = Callable[[str], None]
 
@@ -25,7 +25,7 @@ def test_value_and_steps_come_back() -> None:
         time.sleep(0.5)
         return 7
 
-    assert run_apart(work, progress=seen.append) == 7
+    assert run_in_own_process(work, progress=seen.append) == 7
     assert "crit" in seen
 
 
@@ -38,7 +38,7 @@ def test_the_time_limit_ends_programs_started_within(tmp_path: Path) -> None:
         subprocess.run(["sh", "-c", f"sleep 1.5; touch {sign}"], check=False)
 
     with pytest.raises(UnableError, match=r"roadmap: the time limit of 0\.4 s"):
-        run_apart(work, timeout=0.4)
+        run_in_own_process(work, timeout=0.4)
     time.sleep(1.6)
     assert not sign.exists()
 
@@ -51,7 +51,7 @@ def test_the_memory_limit_is_an_answer() -> None:
         return bool(fmpz(3) ** (10**11) > 0)
 
     with pytest.raises(UnableError, match=r"resultants: .* memory"):
-        run_apart(work, memory=10**9)
+        run_in_own_process(work, memory=10**9)
 
 
 def test_errors_keep_their_facts() -> None:
@@ -61,7 +61,7 @@ def test_errors_keep_their_facts() -> None:
         raise NotSquareError(rows=2, variables=5)
 
     with pytest.raises(NotSquareError, match="2 equations") as caught:
-        run_apart(work)
+        run_in_own_process(work)
     assert caught.value.variables == 5
 
 
@@ -72,4 +72,4 @@ def test_a_bug_is_not_taken_for_a_limit() -> None:
         raise ZeroDivisionError("a bug")
 
     with pytest.raises(ZeroDivisionError, match="a bug"):
-        run_apart(work)
+        run_in_own_process(work)

@@ -7,14 +7,14 @@ from dataclasses import replace
 
 from cuspaudit.auditing.answer import Answer
 from cuspaudit.auditing.case import Case
-from cuspaudit.auditing.deciders.ways import EXACT, WAYS, Way
+from cuspaudit.auditing.deciders.registry import DECIDERS, EXACT, Decider
 from cuspaudit.kinematics.exact_model import ExactModel
 from cuspaudit.runtime.clock import Clock, Progress
 
 __all__ = ["answer", "decide"]
 
 
-def decide(case: Case, clock: Clock, ways: Sequence[Way] = WAYS) -> Answer:
+def decide(case: Case, clock: Clock, ways: Sequence[Decider] = DECIDERS) -> Answer:
     """What the ways come to, each told what those before it came to.
 
     What no way decides is UNDECIDED.

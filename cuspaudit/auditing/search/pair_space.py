@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 
 from cuspaudit.algebra.angles import separation
 from cuspaudit.geometry.torus.function import TorusFunction
-from cuspaudit.kinematics.postures.arm import Arm
+from cuspaudit.kinematics.postures.arm import ArmArrays
 from cuspaudit.kinematics.postures.moving import gap, moved, scaled_arm
 from cuspaudit.robot.chain import Chain
 
@@ -68,7 +68,7 @@ class PairSpace:
         rows: of the Jacobian that the task has, 3 or 6.
     """
 
-    arm: Arm
+    arm: ArmArrays
     h: TorusFunction
     zeros: Array
     rows: int

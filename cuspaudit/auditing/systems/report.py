@@ -13,7 +13,7 @@ from cuspaudit.auditing.systems.file import SystemFile
 from cuspaudit.cuspidality.decision import Decision, Engine, decide
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import UnableError
-from cuspaudit.runtime.own_process import run_apart
+from cuspaudit.runtime.own_process import run_in_own_process
 from cuspaudit.runtime.steps import Step
 from cuspaudit.runtime.versions import versions
 
@@ -60,7 +60,7 @@ def decide_system(
 
     record: dict[str, Any]
     try:
-        record = run_apart(work, timeout=timeout, memory=memory, progress=seen)
+        record = run_in_own_process(work, timeout=timeout, memory=memory, progress=seen)
     except UnableError as limit:
         run = Decision(
             system.variety, system.mapping, failure=limit, steps=seen.steps()

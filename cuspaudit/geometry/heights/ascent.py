@@ -12,7 +12,7 @@ import numpy as np
 from numpy.random import Generator
 from numpy.typing import NDArray
 
-from cuspaudit.geometry.heights.charted_height import Landscape, Tangent
+from cuspaudit.geometry.heights.charted_height import ChartedHeight, Tangent
 from cuspaudit.runtime.clock import check_time
 
 __all__ = ["climb"]
@@ -25,7 +25,7 @@ _NUDGE = 0.05
 
 
 def climb(
-    landscape: Landscape, start: Array, reach: float, chance: Generator
+    landscape: ChartedHeight, start: Array, reach: float, chance: Generator
 ) -> tuple[Array, bool]:
     """Way points from ``start`` uphill, and whether the last is close to a maximum.
 
@@ -73,7 +73,7 @@ def _uphill(
 
 
 def _advance(
-    landscape: Landscape, tangent: Tangent, point: Array, step: Array
+    landscape: ChartedHeight, tangent: Tangent, point: Array, step: Array
 ) -> Array | None:
     """The step, halved until G increases without a change of the sign of P."""
     level, sign = landscape.value_at(point), landscape.sign_at(point)

@@ -28,7 +28,7 @@ from cuspaudit.algebra.system import PolynomialSystem
 from cuspaudit.geometry.heights.height import Height
 from cuspaudit.geometry.lifts.lifting import Chart
 
-__all__ = ["Landscape", "LinearForms", "Tangent"]
+__all__ = ["ChartedHeight", "LinearForms", "Tangent"]
 
 Array = NDArray[np.float64]
 _NEWTON = 6
@@ -81,7 +81,7 @@ class Tangent:
 
 
 @dataclass(frozen=True, eq=False)
-class Landscape:
+class ChartedHeight:
     """A variety V of dimension d and a height G on it.
 
     Attributes:

@@ -15,7 +15,7 @@ from cuspaudit.algebra.parametrization import RealPoint
 from cuspaudit.algebra.ring import Ring
 from cuspaudit.algebra.system import PolynomialSystem
 from cuspaudit.algebra.zero_dimensional import solve_zero_dimensional
-from cuspaudit.geometry.heights.charted_height import Landscape
+from cuspaudit.geometry.heights.charted_height import ChartedHeight
 from cuspaudit.geometry.heights.height import critical_system
 from cuspaudit.geometry.heights.morse import CriticalPoint, critical_point
 from cuspaudit.geometry.lifts.lifting import Box
@@ -28,7 +28,7 @@ _PRECISIONS = (106, 212, 424, 848)
 
 
 def critical_points(
-    landscape: Landscape, timeout: float, seed: int
+    landscape: ChartedHeight, timeout: float, seed: int
 ) -> tuple[list[CriticalPoint] | None, tuple[str, ...]]:
     """All critical points of G on V with P != 0, and what their completeness rests on.
 
@@ -75,7 +75,7 @@ def box_of(ring: Ring, point: Point, bits: int) -> Box:
         return tuple(arb(x) for x in point)
 
 
-def _classified(landscape: Landscape, point: RealPoint) -> CriticalPoint | None:
+def _classified(landscape: ChartedHeight, point: RealPoint) -> CriticalPoint | None:
     for bits in _PRECISIONS:
         with ctx.workprec(bits):
             ball = box_of(landscape.variety.ring, point, bits)

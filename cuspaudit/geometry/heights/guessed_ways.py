@@ -20,7 +20,7 @@ from cuspaudit.algebra.evaluation import Jets
 from cuspaudit.algebra.ring import Polynomial
 from cuspaudit.algebra.system import PolynomialSystem
 from cuspaudit.geometry.heights.ascent import climb
-from cuspaudit.geometry.heights.charted_height import Landscape
+from cuspaudit.geometry.heights.charted_height import ChartedHeight
 from cuspaudit.runtime.clock import check_time
 
 __all__ = ["GuessedWays", "random_points"]
@@ -86,7 +86,7 @@ class GuessedWays:
             between two, with its ``level`` and the way points from the first.
     """
 
-    landscape: Landscape
+    landscape: ChartedHeight
     seed: int = 1
     tops: list[Array] = field(default_factory=list)
     graph: nx.Graph[int] = field(default_factory=nx.Graph)

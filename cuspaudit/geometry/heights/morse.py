@@ -21,7 +21,7 @@ from flint import arb
 from numpy.typing import NDArray
 
 from cuspaudit.algebra.evaluation import Table
-from cuspaudit.geometry.heights.charted_height import Landscape, Tangent
+from cuspaudit.geometry.heights.charted_height import ChartedHeight, Tangent
 from cuspaudit.geometry.heights.segment import segment
 from cuspaudit.geometry.lifts.lifting import Box, Lift, lift, sharpen
 
@@ -88,7 +88,7 @@ class Exit:
     end: Box
 
 
-def critical_point(landscape: Landscape, ball: Box) -> CriticalPoint | None:
+def critical_point(landscape: ChartedHeight, ball: Box) -> CriticalPoint | None:
     """The critical point in ``ball``; None if the ball does not prove its index.
 
     Args:
@@ -106,7 +106,7 @@ def critical_point(landscape: Landscape, ball: Box) -> CriticalPoint | None:
     return CriticalPoint(ball, tangent, level, rising, axis, sign)
 
 
-def basin(landscape: Landscape, top: CriticalPoint) -> Basin | None:
+def basin(landscape: ChartedHeight, top: CriticalPoint) -> Basin | None:
     """A basin of a maximum, as large as halving finds one."""
     centre = top.tangent.forms.values(top.ball)
     size = _scale(landscape, top)
@@ -121,7 +121,7 @@ def basin(landscape: Landscape, top: CriticalPoint) -> Basin | None:
     return None
 
 
-def exits(landscape: Landscape, saddle: CriticalPoint) -> tuple[Exit, Exit] | None:
+def exits(landscape: ChartedHeight, saddle: CriticalPoint) -> tuple[Exit, Exit] | None:
     """The two exits of a saddle with one positive eigenvalue."""
     ahead, back = (_exit(landscape, saddle, sign) for sign in (1, -1))
     return (ahead, back) if ahead is not None and back is not None else None
@@ -158,7 +158,7 @@ def middle(box: Sequence[arb]) -> Array:
     return np.array([float(x.mid()) for x in box])
 
 
-def _exit(landscape: Landscape, saddle: CriticalPoint, sign: int) -> Exit | None:
+def _exit(landscape: ChartedHeight, saddle: CriticalPoint, sign: int) -> Exit | None:
     tangent = landscape.aligned(saddle.tangent, sign * saddle.axis)
     start = tangent.forms.values(saddle.ball)
     axis = tangent.forms.matrix @ saddle.tangent.forms.matrix.T @ (sign * saddle.axis)
@@ -177,7 +177,7 @@ def _exit(landscape: Landscape, saddle: CriticalPoint, sign: int) -> Exit | None
     return None
 
 
-def _scale(landscape: Landscape, point: CriticalPoint) -> arb:
+def _scale(landscape: ChartedHeight, point: CriticalPoint) -> arb:
     """A length on which G is likely to change much: where halving begins."""
     _, hessian = landscape.slopes(point.tangent, point.place)
     smallest = float(np.abs(np.linalg.eigvalsh(hessian)).min())

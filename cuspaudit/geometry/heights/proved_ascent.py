@@ -10,7 +10,7 @@ from flint import arb, ctx
 from numpy.typing import NDArray
 
 from cuspaudit.geometry.heights.ascent import climb
-from cuspaudit.geometry.heights.charted_height import Landscape
+from cuspaudit.geometry.heights.charted_height import ChartedHeight
 from cuspaudit.geometry.heights.morse import Basin, middle
 from cuspaudit.geometry.heights.proved_path import follow_places
 from cuspaudit.geometry.lifts.continuation import BITS
@@ -46,7 +46,7 @@ class Ascent:
 
 
 def prove_ascent(
-    landscape: Landscape,
+    landscape: ChartedHeight,
     start: Box,
     level: arb | None,
     basins: Sequence[Basin],
@@ -73,7 +73,7 @@ def prove_ascent(
 
 
 def _prove(
-    landscape: Landscape,
+    landscape: ChartedHeight,
     start: Box,
     level: arb | None,
     basins: Sequence[Basin],

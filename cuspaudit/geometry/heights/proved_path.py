@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from cuspaudit.algebra.ring import Polynomial
 from cuspaudit.algebra.system import PolynomialSystem
-from cuspaudit.geometry.heights.charted_height import Landscape
+from cuspaudit.geometry.heights.charted_height import ChartedHeight
 from cuspaudit.geometry.heights.height import plain_height
 from cuspaudit.geometry.heights.morse import middle
 from cuspaudit.geometry.heights.segment import segment
@@ -60,7 +60,7 @@ def prove_path(
     Returns:
         Boxes that cover the path, in order, or None when it could not be proved.
     """
-    landscape = Landscape(variety, dimension, plain_height(variety.ring, minors))
+    landscape = ChartedHeight(variety, dimension, plain_height(variety.ring, minors))
     with ctx.workprec(BITS):
         legs = follow_places(landscape, first, places)
         if legs is None:
@@ -74,7 +74,7 @@ def prove_path(
 
 
 def follow_places(
-    landscape: Landscape,
+    landscape: ChartedHeight,
     start: Box,
     places: Array,
     done: Callable[[Box], bool] | None = None,
@@ -114,7 +114,7 @@ def follow_places(
 
 
 def _leg(
-    landscape: Landscape, here: Box, target: Box, level: arb | None, patient: bool
+    landscape: ChartedHeight, here: Box, target: Box, level: arb | None, patient: bool
 ) -> Continuation | None:
     """A straight segment in the chart of ``here`` that ends close to ``target``."""
     tangent, place = landscape.tangent(middle(here)), middle(target)

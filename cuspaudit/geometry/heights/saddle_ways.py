@@ -11,19 +11,19 @@ from flint import ctx
 from numpy.typing import NDArray
 
 from cuspaudit.errors import CrossCheckError, UnableError
-from cuspaudit.geometry.heights.charted_height import Landscape
+from cuspaudit.geometry.heights.charted_height import ChartedHeight
 from cuspaudit.geometry.heights.morse import Basin, CriticalPoint, basin, exits
 from cuspaudit.geometry.heights.proved_ascent import Ascent, prove_ascent
 from cuspaudit.geometry.lifts.continuation import BITS
 from cuspaudit.geometry.lifts.lifting import Box
 
-__all__ = ["Way", "basin_of", "graph_of_ways"]
+__all__ = ["SaddleWay", "basin_of", "graph_of_ways"]
 
 Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)
-class Way:
+class SaddleWay:
     """A proved way from one maximum over a saddle to another.
 
     Attributes:
@@ -51,13 +51,13 @@ class Way:
         down, up = self.ascents
         return [step.image for step in (*reversed(down.steps), *up.steps)]
 
-    def beginning_at(self, top: int) -> Way:
+    def beginning_at(self, top: int) -> SaddleWay:
         """The same way, turned round if need be."""
-        return self if self.begins == top else Way(self.ascents[::-1], self.level)
+        return self if self.begins == top else SaddleWay(self.ascents[::-1], self.level)
 
 
 def graph_of_ways(
-    landscape: Landscape,
+    landscape: ChartedHeight,
     basins: Sequence[Basin],
     saddles: Sequence[CriticalPoint],
     seed: int,
@@ -91,12 +91,12 @@ def graph_of_ways(
         ahead, back = _two_ascents(landscape, saddle, basins, seed)
         if ahead.top != back.top and not graph.has_edge(ahead.top, back.top):
             level = float(saddle.level.mid())
-            way = Way((ahead, back), level)
+            way = SaddleWay((ahead, back), level)
             graph.add_edge(ahead.top, back.top, level=level, way=way)
     return graph
 
 
-def basin_of(landscape: Landscape, top: CriticalPoint) -> Basin:
+def basin_of(landscape: ChartedHeight, top: CriticalPoint) -> Basin:
     """A basin of a maximum.
 
     Raises:
@@ -110,7 +110,7 @@ def basin_of(landscape: Landscape, top: CriticalPoint) -> Basin:
 
 
 def _two_ascents(
-    landscape: Landscape, saddle: CriticalPoint, basins: Sequence[Basin], seed: int
+    landscape: ChartedHeight, saddle: CriticalPoint, basins: Sequence[Basin], seed: int
 ) -> tuple[Ascent, Ascent]:
     with ctx.workprec(BITS):
         pair = exits(landscape, saddle)

@@ -21,7 +21,7 @@ import numpy as np
 from flint import arb, arb_mat
 
 from cuspaudit.algebra.evaluation import Table
-from cuspaudit.geometry.heights.charted_height import Landscape, Tangent
+from cuspaudit.geometry.heights.charted_height import ChartedHeight, Tangent
 
 __all__ = ["Segment", "segment"]
 
@@ -51,7 +51,7 @@ class Segment:
 
 
 def segment(
-    landscape: Landscape,
+    landscape: ChartedHeight,
     tangent: Tangent,
     begin: Sequence[arb],
     over: Sequence[arb],
@@ -93,7 +93,7 @@ def _ranges(value: arb, first: arb, second: arb) -> tuple[arb, arb]:
 
 
 def _derivatives(
-    landscape: Landscape, tangent: Tangent, box: Sequence[arb], v: Sequence[arb]
+    landscape: ChartedHeight, tangent: Tangent, box: Sequence[arb], v: Sequence[arb]
 ) -> tuple[Table, Table, Table] | None:
     """Values, first and second derivatives of (P, W) along v, for x(t) in ``box``."""
     _, rows, bends = landscape.equation_jets(box, tangent.chosen)

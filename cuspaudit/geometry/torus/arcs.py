@@ -15,7 +15,7 @@ from cuspaudit.algebra.ring import Polynomial, Ring
 from cuspaudit.algebra.trigonometric import Circle
 from cuspaudit.errors import UnableError
 from cuspaudit.geometry.torus.box_waves import BoxWaves
-from cuspaudit.geometry.torus.cover import Cover, cover_count
+from cuspaudit.geometry.torus.cover import TorusCover, cover_count
 from cuspaudit.geometry.torus.function import TorusFunction
 
 __all__ = ["Arcs", "arcs"]
@@ -35,7 +35,7 @@ class Arcs:
     ring: Ring
     function: Polynomial
     fiber: Circle
-    covers: tuple[Cover, Cover]
+    covers: tuple[TorusCover, TorusCover]
 
     @property
     def number_of_components(self) -> int:

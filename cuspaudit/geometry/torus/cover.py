@@ -36,7 +36,7 @@ from cuspaudit.geometry.torus.box_waves import BoxWaves
 from cuspaudit.geometry.torus.boxes import Boxes
 from cuspaudit.runtime.clock import check_time
 
-__all__ = ["Cover", "cover_count"]
+__all__ = ["TorusCover", "cover_count"]
 
 Whole = NDArray[np.int64]
 Truths = NDArray[np.bool_]
@@ -47,7 +47,7 @@ _CHUNK = 20_000
 
 
 @dataclass(frozen=True)
-class Cover:
+class TorusCover:
     """A proved count.
 
     Attributes:
@@ -93,7 +93,7 @@ class _Layer:
         )
 
 
-def cover_count(waves: BoxWaves, timeout: float = 60.0) -> Cover:
+def cover_count(waves: BoxWaves, timeout: float = 60.0) -> TorusCover:
     """The number of components of {S + sqrt(P^2 + Q^2) > 0} on T^k.
 
     Args:
@@ -112,7 +112,7 @@ def cover_count(waves: BoxWaves, timeout: float = 60.0) -> Cover:
             upper = _at_most(waves, layers)
             if upper <= 1 or upper == _at_least(layers):
                 boxes = sum(len(layer.corner) for layer in layers)
-                return Cover(upper, boxes, layers[-1].depth)
+                return TorusCover(upper, boxes, layers[-1].depth)
             split = _between(layers)
         check_time("cover_count")
         if time.process_time() > end:

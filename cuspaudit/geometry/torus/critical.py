@@ -18,8 +18,8 @@ from cuspaudit.algebra.angles import separation, shortest_turn
 __all__ = [
     "FAST",
     "FINE",
-    "Height",
     "Pace",
+    "TorusHeight",
     "ascents",
     "climb",
     "critical_points",
@@ -44,7 +44,7 @@ _RCOND = 1e-3
 _LOWEST = 1e-12
 
 
-class Height(Protocol):
+class TorusHeight(Protocol):
     """A function h on a torus T^k, at many points (..., k) at once."""
 
     @property
@@ -88,7 +88,7 @@ FAST = Pace(60, 0.02, 0.2)
 """Near to the maximum, soon."""
 
 
-def critical_points(h: Height, starts: Array) -> Array:
+def critical_points(h: TorusHeight, starts: Array) -> Array:
     """Critical points with h != 0 that Newton's method finds from ``starts``, (m, k).
 
     Distinct, in [-pi, pi); |h| there is at least 1e-7 of its bound.
@@ -112,7 +112,7 @@ def critical_points(h: Height, starts: Array) -> Array:
     return _distinct(shortest_turn(points))
 
 
-def critical_sheets(h: Height, starts: Array) -> Array:
+def critical_sheets(h: TorusHeight, starts: Array) -> Array:
     """Critical points with h != 0, those of whole sheets of them too, from ``starts``.
 
     Pseudo-inverses make Newton's method settle as well where critical points are not
@@ -132,7 +132,7 @@ def critical_sheets(h: Height, starts: Array) -> Array:
 
 
 def _newton_step(
-    h: Height, points: Array, solve: Solve, longest: float
+    h: TorusHeight, points: Array, solve: Solve, longest: float
 ) -> tuple[Array, Array]:
     """The points after a step of at most ``longest``, and how long a full one was."""
     step = solve(h.hessian(points), h.gradient(points))
@@ -141,7 +141,7 @@ def _newton_step(
     return points - step * shrink[:, None], length
 
 
-def ascents(h: Height, starts: Array) -> list[Array]:
+def ascents(h: TorusHeight, starts: Array) -> list[Array]:
     """Ways of rising |h| from ``starts`` (m, k) to maxima.
 
     Each (steps, k), steps at most 0.1 rad, angles not reduced. An ascent that ends at
@@ -161,7 +161,7 @@ def ascents(h: Height, starts: Array) -> list[Array]:
     return ways
 
 
-def climb(h: Height, starts: Array, pace: Pace) -> Array:
+def climb(h: TorusHeight, starts: Array, pace: Pace) -> Array:
     """Ways of rising |h| from ``starts`` (m, k): (steps, m, k).
 
     Steps follow the gradient; they grow, and shrink for a point whose |h| they would

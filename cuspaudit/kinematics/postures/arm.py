@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["Arm", "Array", "reversed_arm", "rigid_inverse", "turned"]
+__all__ = ["ArmArrays", "Array", "reversed_arm", "rigid_inverse", "turned"]
 
 Array = NDArray[Any]
 
@@ -28,7 +28,7 @@ _CROSS = np.array(
 
 
 @dataclass(frozen=True, eq=False)
-class Arm:
+class ArmArrays:
     """A six-joint revolute arm as arrays.
 
     Attributes:
@@ -69,11 +69,11 @@ def rigid_inverse(motion: Array) -> Array:
     return result
 
 
-def reversed_arm(arm: Arm) -> Arm:
+def reversed_arm(arm: ArmArrays) -> ArmArrays:
     """The arm from tip to base, whose pose is the inverse.
 
     Its joint k is joint 7 - k of ``arm``, with the same angle.
     """
     tool, *before = (rigid_inverse(step) for step in (*arm.before, arm.tool))
     axes = [-axis for axis in reversed(arm.axes)]
-    return Arm(before[::-1], axes, tool, arm.half)
+    return ArmArrays(before[::-1], axes, tool, arm.half)

@@ -28,7 +28,7 @@ from cuspaudit.algebra.ideal import groebner_basis
 from cuspaudit.algebra.interpolated_points import proposed_numerators
 from cuspaudit.algebra.quadratic_matrix import QuadraticField
 from cuspaudit.errors import PrecisionError, RetryableError, UnableError
-from cuspaudit.kinematics.postures.arm import Arm
+from cuspaudit.kinematics.postures.arm import ArmArrays
 from cuspaudit.kinematics.postures.loop_closure import closes
 from cuspaudit.kinematics.postures.loop_equations import element_in, loop_equations
 from cuspaudit.kinematics.postures.loop_turns import (
@@ -43,7 +43,7 @@ from cuspaudit.kinematics.postures.polynomial import (
     posture_polynomial,
 )
 
-__all__ = ["Chart", "UnluckyChartError"]
+__all__ = ["PostureChart", "UnluckyChartError"]
 
 Array = NDArray[Any]
 
@@ -56,7 +56,7 @@ class UnluckyChartError(RetryableError):
 
 
 @dataclass(frozen=True, eq=False)
-class Chart:
+class PostureChart:
     """The arm with joints 2, 3, 4 turned by the angles with tangents ``turns`` of half.
 
     Attributes:
@@ -67,7 +67,7 @@ class Chart:
     """
 
     field: QuadraticField
-    arm: Arm
+    arm: ArmArrays
     pose: Array
     turns: Sequence[fmpq]
 
@@ -97,12 +97,12 @@ class Chart:
                     return omega, rho
         raise PrecisionError("numerators of the postures", bits)
 
-    def _turned(self) -> Arm:
+    def _turned(self) -> ArmArrays:
         before = list(self.arm.before)
         for k, angle in zip((1, 2, 3), self.turns, strict=True):
             own = before[k] @ turn(self.arm, k, *cos_sin(angle))
             before[k] = self.field.reduced(own)
-        return Arm(before, self.arm.axes, self.arm.tool, self.arm.half)
+        return ArmArrays(before, self.arm.axes, self.arm.tool, self.arm.half)
 
     def _with_one_null_vector(self, found: PosturePolynomial) -> fmpq_poly:
         """The roots of D that may have a posture, once each; monic.

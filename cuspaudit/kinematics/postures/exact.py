@@ -21,8 +21,8 @@ from cuspaudit.algebra.quadratic_matrix import QuadraticField
 from cuspaudit.algebra.ring import Polynomial, Ring
 from cuspaudit.errors import UnableError
 from cuspaudit.kinematics.exact_model import ExactModel
-from cuspaudit.kinematics.postures.arm import Arm, reversed_arm, rigid_inverse
-from cuspaudit.kinematics.postures.chart import Chart, UnluckyChartError
+from cuspaudit.kinematics.postures.arm import ArmArrays, reversed_arm, rigid_inverse
+from cuspaudit.kinematics.postures.chart import PostureChart, UnluckyChartError
 from cuspaudit.kinematics.postures.loop_equations import postures_by_equations
 from cuspaudit.kinematics.postures.loop_turns import cos_sin, turn
 from cuspaudit.kinematics.transform import Transform
@@ -96,7 +96,9 @@ def exact_postures_of(
     return _parametrization(field, *found)
 
 
-def _by_charts(field: QuadraticField, arm: Arm, pose: Array, seed: int) -> Found | None:
+def _by_charts(
+    field: QuadraticField, arm: ArmArrays, pose: Array, seed: int
+) -> Found | None:
     """The postures by the resultant, forwards or backwards; None where it refuses."""
     rng = np.random.default_rng(seed)
     for sense in (1, -1):
@@ -106,7 +108,7 @@ def _by_charts(field: QuadraticField, arm: Arm, pose: Array, seed: int) -> Found
         for _ in range(_TRIES):
             turns = [fmpq(int(x), 17) for x in rng.integers(-40, 40, 3)]
             try:
-                omega, rho = Chart(field, arm, pose, turns).postures(seed)
+                omega, rho = PostureChart(field, arm, pose, turns).postures(seed)
             except UnluckyChartError:
                 continue
             except UnableError:
@@ -119,7 +121,7 @@ def _by_charts(field: QuadraticField, arm: Arm, pose: Array, seed: int) -> Found
 
 def arm_and_pose(
     model: ExactModel, tangents: Sequence[fmpq]
-) -> tuple[QuadraticField, Arm, Array]:
+) -> tuple[QuadraticField, ArmArrays, Array]:
     """K, the arm over it, and the pose of a rational posture.
 
     Raises:
@@ -162,7 +164,7 @@ def _parametrization(
     )
 
 
-def _exact_arm(field: QuadraticField, model: ExactModel) -> Arm:
+def _exact_arm(field: QuadraticField, model: ExactModel) -> ArmArrays:
     if model.chain.kinds != ("revolute",) * 6:
         raise UnableError(STEP, "only arms of six revolute joints are solved")
 
@@ -181,7 +183,7 @@ def _exact_arm(field: QuadraticField, model: ExactModel) -> Arm:
         result[:] = [value(x) for x in entries]
         return result
 
-    return Arm(
+    return ArmArrays(
         [motion(joint.before) for joint in model.joints],
         [axis(joint.axis) for joint in model.joints],
         motion(model.tool),
@@ -189,13 +191,13 @@ def _exact_arm(field: QuadraticField, model: ExactModel) -> Arm:
     )
 
 
-def _reduced(field: QuadraticField, arm: Arm) -> Arm:
+def _reduced(field: QuadraticField, arm: ArmArrays) -> ArmArrays:
     before = [field.reduced(step) for step in arm.before]
-    return Arm(before, arm.axes, field.reduced(arm.tool), arm.half)
+    return ArmArrays(before, arm.axes, field.reduced(arm.tool), arm.half)
 
 
 def _forward(
-    field: QuadraticField, arm: Arm, postures: list[tuple[fmpq, fmpq]]
+    field: QuadraticField, arm: ArmArrays, postures: list[tuple[fmpq, fmpq]]
 ) -> Array:
     placed = np.eye(4, dtype=object)
     for k, (c, s) in enumerate(postures):

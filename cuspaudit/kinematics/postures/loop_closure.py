@@ -17,7 +17,7 @@ from flint import fmpq_poly
 from numpy.typing import NDArray
 
 from cuspaudit.algebra.quadratic_matrix import QuadraticField
-from cuspaudit.kinematics.postures.arm import Arm, rigid_inverse, turned
+from cuspaudit.kinematics.postures.arm import ArmArrays, rigid_inverse, turned
 from cuspaudit.kinematics.postures.raghavan_roth import NODES
 
 __all__ = ["closes"]
@@ -27,7 +27,7 @@ Array = NDArray[Any]
 
 def closes(
     field: QuadraticField,
-    arm: Arm,
+    arm: ArmArrays,
     pose: Array,
     omega: fmpq_poly,
     rho: Sequence[fmpq_poly],

@@ -17,7 +17,7 @@ from cuspaudit.algebra.ring import Polynomial, Ring
 from cuspaudit.algebra.system import PolynomialSystem
 from cuspaudit.algebra.zero_dimensional import solve_zero_dimensional
 from cuspaudit.errors import UnableError
-from cuspaudit.kinematics.postures.arm import Arm
+from cuspaudit.kinematics.postures.arm import ArmArrays
 from cuspaudit.kinematics.postures.loop_closure import closes
 from cuspaudit.kinematics.postures.loop_turns import arm_at, closing_turn, elements_at
 from cuspaudit.kinematics.postures.raghavan_roth import closed, fifth_axis, first_side
@@ -72,7 +72,7 @@ def element_in(ring: Ring, element: Any) -> Polynomial:
 
 
 def postures_by_equations(
-    field: QuadraticField, arm: Arm, pose: Array, seed: int
+    field: QuadraticField, arm: ArmArrays, pose: Array, seed: int
 ) -> tuple[fmpq_poly, list[fmpq_poly], tuple[str, ...]]:
     """All complex postures, and what their completeness rests on.
 

@@ -12,7 +12,7 @@ import numpy as np
 from flint import fmpq_poly
 from numpy.typing import NDArray
 
-from cuspaudit.kinematics.postures.arm import Arm, rigid_inverse, turned
+from cuspaudit.kinematics.postures.arm import ArmArrays, rigid_inverse, turned
 
 __all__ = ["arm_at", "closing_turn", "cos_sin", "elements_at", "turn"]
 
@@ -20,7 +20,7 @@ Array = NDArray[Any]
 Pair = tuple[Any, Any]
 
 
-def turn(arm: Arm, k: int, c: Any, s: Any) -> Array:
+def turn(arm: ArmArrays, k: int, c: Any, s: Any) -> Array:
     """The motion of joint k, counted from 0, by the angle of cosine c and sine s."""
     entries = np.empty(2, dtype=object)
     entries[:] = c, s
@@ -44,9 +44,9 @@ def elements_at(array: Array, surd: Any) -> Array:
     return result.reshape(array.shape)
 
 
-def arm_at(arm: Arm, surd: Any) -> Arm:
+def arm_at(arm: ArmArrays, surd: Any) -> ArmArrays:
     """The arm with a value for sqrt m."""
-    return Arm(
+    return ArmArrays(
         [elements_at(step, surd) for step in arm.before],
         [elements_at(axis, surd) for axis in arm.axes],
         elements_at(arm.tool, surd),
@@ -54,7 +54,7 @@ def arm_at(arm: Arm, surd: Any) -> Arm:
     )
 
 
-def closing_turn(arm: Arm, pose: Array, pairs: Mapping[int, Pair]) -> Pair:
+def closing_turn(arm: ArmArrays, pose: Array, pairs: Mapping[int, Pair]) -> Pair:
     """(c, s) of joint 5 when the others have (c, s) ``pairs`` and the loop closes.
 
     Args:

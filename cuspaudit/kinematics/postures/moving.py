@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cuspaudit.errors import UnableError
-from cuspaudit.kinematics.postures.arm import Arm, turned
+from cuspaudit.kinematics.postures.arm import ArmArrays, turned
 from cuspaudit.robot.chain import Chain
 from cuspaudit.robot.frames import transform
 
@@ -15,7 +15,7 @@ __all__ = ["gap", "moved", "scaled_arm"]
 Array = NDArray[np.float64]
 
 
-def scaled_arm(chain: Chain) -> tuple[Arm, float]:
+def scaled_arm(chain: Chain) -> tuple[ArmArrays, float]:
     """The arm in doubles, lengths divided by the longest, and that length.
 
     Raises:
@@ -29,10 +29,10 @@ def scaled_arm(chain: Chain) -> tuple[Arm, float]:
     for step in (*steps, tool):
         step[:3, 3] /= scale
     axes = [np.array([float(x) for x in joint.axis]) for joint in chain.joints]
-    return Arm(steps, [a / np.linalg.norm(a) for a in axes], tool), scale
+    return ArmArrays(steps, [a / np.linalg.norm(a) for a in axes], tool), scale
 
 
-def moved(arm: Arm, postures: Array) -> tuple[Array, Array]:
+def moved(arm: ArmArrays, postures: Array) -> tuple[Array, Array]:
     """Poses (..., 4, 4) and Jacobians (..., 6, n) at postures (..., n).
 
     Rows are the linear velocity of the tip's origin, then the angular velocity.

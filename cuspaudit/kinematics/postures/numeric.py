@@ -19,7 +19,12 @@ from numpy.typing import NDArray
 
 from cuspaudit.algebra.angles import separation, shortest_turn
 from cuspaudit.errors import UnableError
-from cuspaudit.kinematics.postures.arm import Arm, reversed_arm, rigid_inverse, turned
+from cuspaudit.kinematics.postures.arm import (
+    ArmArrays,
+    reversed_arm,
+    rigid_inverse,
+    turned,
+)
 from cuspaudit.kinematics.postures.moving import gap, moved, scaled_arm
 from cuspaudit.kinematics.postures.raghavan_roth import closed, fifth_axis, first_side
 from cuspaudit.robot.chain import Chain
@@ -39,7 +44,7 @@ _EQUAL = 1e-6
 _NUDGE = 1e-5
 
 
-def arm_of(chain: Chain) -> tuple[Arm, float]:
+def arm_of(chain: Chain) -> tuple[ArmArrays, float]:
     """The arm in doubles, lengths divided by the longest, and that length.
 
     Raises:
@@ -64,7 +69,7 @@ class PostureSolver:
         scale: the length that is 1.
     """
 
-    arm: Arm
+    arm: ArmArrays
     scale: float
 
     @classmethod
@@ -128,7 +133,9 @@ class PostureSolver:
             turn = turned(np.array([0.6, 0.8, 0.0]), *_cos_sin(_NUDGE * rng.normal()))
             step[:] = step @ turn
             step[:3, 3] += _NUDGE * rng.normal(size=3)
-        return PostureSolver(Arm(before, self.arm.axes, self.arm.tool), self.scale)
+        return PostureSolver(
+            ArmArrays(before, self.arm.axes, self.arm.tool), self.scale
+        )
 
     def _from(self, solver: PostureSolver, poses: Array) -> list[Array]:
         """Postures of this arm settled from those that ``solver`` proposes."""

@@ -26,7 +26,7 @@ from numpy.typing import NDArray
 
 from cuspaudit.algebra.quadratic_matrix import QuadraticField
 from cuspaudit.errors import UnableError
-from cuspaudit.kinematics.postures.arm import Arm
+from cuspaudit.kinematics.postures.arm import ArmArrays
 from cuspaudit.kinematics.postures.raghavan_roth import closed, fifth_axis, first_side
 
 __all__ = ["PosturePolynomial", "posture_polynomial"]
@@ -63,7 +63,7 @@ class PosturePolynomial:
 
 
 def posture_polynomial(
-    field: QuadraticField, arm: Arm, pose: Array, seed: int
+    field: QuadraticField, arm: ArmArrays, pose: Array, seed: int
 ) -> PosturePolynomial:
     """D and the null vectors of ``arm`` at ``pose``.
 

@@ -23,7 +23,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from cuspaudit.kinematics.postures.arm import Arm, Array, rigid_inverse, turned
+from cuspaudit.kinematics.postures.arm import ArmArrays, Array, rigid_inverse, turned
 
 __all__ = ["closed", "fifth_axis", "first_side"]
 
@@ -31,12 +31,12 @@ NODES = ((1, 0), (0, 1), (-1, 0))
 """(cos, sin) at 0, 90 and 180 degrees: they determine a + b cos + c sin."""
 
 
-def closed(arm: Arm, pose: Array) -> Array:
+def closed(arm: ArmArrays, pose: Array) -> Array:
     """The link from joint 6 round to joint 1 when the tip is held at ``pose``."""
     return arm.tool @ rigid_inverse(pose) @ arm.before[0]
 
 
-def fifth_axis(arm: Arm) -> Array:
+def fifth_axis(arm: ArmArrays) -> Array:
     """X: the 14 numbers as coefficients, (14, 3, 3, 3) in (1, c, s) of joints 2, 3, 4.
 
     It depends on the arm alone.
@@ -48,7 +48,7 @@ def fifth_axis(arm: Arm) -> Array:
     return _coefficients(arm, _numbers(reach, arm.axes[4]), 3)
 
 
-def first_side(arm: Arm, link: Array) -> Array:
+def first_side(arm: ArmArrays, link: Array) -> Array:
     """Y: the 14 numbers as coefficients, (..., 14, 3, 3) in (1, c, s) of joints 6, 1.
 
     Args:
@@ -77,7 +77,7 @@ def _numbers(motion: Array, axis: Array) -> Array:
     return np.concatenate([p, l, square, along, moment, inverted], axis=-1)
 
 
-def _coefficients(arm: Arm, values: Array, joints: int) -> Array:
+def _coefficients(arm: ArmArrays, values: Array, joints: int) -> Array:
     """Values at the nodes, (..., 3, ..., 3, 14), to coefficients, (..., 14, 3, ...)."""
     for axis in range(-1 - joints, -1):
         first, middle, last = (np.take(values, k, axis) for k in range(3))

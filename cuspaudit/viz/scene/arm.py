@@ -22,7 +22,7 @@ from cuspaudit.robot.frames import transform
 from cuspaudit.viz.scene.motion import PathFrames
 
 __all__ = [
-    "Piece",
+    "ArmPiece",
     "Role",
     "arm_pieces",
     "bar_ends",
@@ -43,7 +43,7 @@ LEAST = 1e-9  # shorter than this is no length
 
 
 @dataclass(frozen=True, slots=True)
-class Piece:
+class ArmPiece:
     """A primitive carried by a body of the arm.
 
     Attributes:
@@ -67,7 +67,7 @@ def arm_pieces(
     scale: float,
     shown: PathFrames,
     skip: frozenset[int] = frozenset(),
-) -> list[Piece]:
+) -> list[ArmPiece]:
     """The primitives of ``chain``, for bodies -1 (base) to n - 1 (last link).
 
     Args:
@@ -79,7 +79,7 @@ def arm_pieces(
     Returns:
         The pieces, base first. The last body ends in the tool.
     """
-    pieces: list[Piece] = []
+    pieces: list[ArmPiece] = []
     for body in range(-1, len(chain.joints)):
         if body in skip:
             continue
@@ -136,7 +136,7 @@ def pointing(direction: Matrix, at: Matrix) -> Matrix:
     return placed
 
 
-def triad(body: int, origin: Matrix, length: float, radius: float) -> list[Piece]:
+def triad(body: int, origin: Matrix, length: float, radius: float) -> list[ArmPiece]:
     """Three rods along the axes of the frame ``origin``: red x, green y, blue z."""
     roles: Sequence[Role] = ("x", "y", "z")
     rods = []
@@ -144,38 +144,38 @@ def triad(body: int, origin: Matrix, length: float, radius: float) -> list[Piece
         axis = origin[:3, column]
         middle = origin[:3, 3] + axis * length / 2
         placed = pointing(axis, middle)
-        rods.append(Piece(body, "cylinder", (radius, length), placed, role))
+        rods.append(ArmPiece(body, "cylinder", (radius, length), placed, role))
     return rods
 
 
-def _tube(body: int, points: Matrix, radius: float) -> list[Piece]:
+def _tube(body: int, points: Matrix, radius: float) -> list[ArmPiece]:
     role: Role = "base" if body < 0 else "link"
     pieces = []
     for start, end in pairwise(points):
         length = float(np.linalg.norm(end - start))
         placed = pointing(end - start, (start + end) / 2)
-        pieces.append(Piece(body, "cylinder", (radius, length), placed, role))
-        pieces.append(Piece(body, "sphere", (radius,), _at(end), role))
+        pieces.append(ArmPiece(body, "cylinder", (radius, length), placed, role))
+        pieces.append(ArmPiece(body, "sphere", (radius,), _at(end), role))
     return pieces
 
 
 def _joint(
     chain: Chain, body: int, scale: float, radius: float, values: Matrix
-) -> list[Piece]:
+) -> list[ArmPiece]:
     joint, axis = chain.joints[body], unit_axis(chain.joints[body])
     if joint.kind == "revolute":
         return _housing(body, axis, radius * HOUSING)
     return _slide(body, joint.before, axis, scale, radius, values)
 
 
-def _housing(body: int, axis: Matrix, radius: float) -> list[Piece]:
+def _housing(body: int, axis: Matrix, radius: float) -> list[ArmPiece]:
     """A short cylinder on the axis, its two faces, and a mark that turns with it."""
     placed = pointing(axis, np.zeros(3))
     mark = placed @ _at(np.array([radius * 1.02, 0.0, 0.0]))
     return [
-        Piece(body, "cylinder", (radius, 2.5 * radius), placed, "housing"),
-        Piece(body, "cylinder", (0.72 * radius, 2.62 * radius), placed, "cap"),
-        Piece(body, "box", (0.16 * radius, 0.3 * radius, 1.7 * radius), mark, "cap"),
+        ArmPiece(body, "cylinder", (radius, 2.5 * radius), placed, "housing"),
+        ArmPiece(body, "cylinder", (0.72 * radius, 2.62 * radius), placed, "cap"),
+        ArmPiece(body, "box", (0.16 * radius, 0.3 * radius, 1.7 * radius), mark, "cap"),
     ]
 
 
@@ -186,7 +186,7 @@ def _slide(
     scale: float,
     radius: float,
     values: Matrix,
-) -> list[Piece]:
+) -> list[ArmPiece]:
     """A sleeve fixed to the body before, and the bar that runs through it."""
     fixed = transform(before)
     fixed[:3, 3] *= scale
@@ -195,8 +195,8 @@ def _slide(
     low, high = bar_ends(values, 0.8 * side)
     bar = pointing(axis, axis * (high + low) / 2)
     return [
-        Piece(body - 1, "box", (side, side, 1.4 * side), sleeve, "housing"),
-        Piece(body, "box", (1.5 * radius, 1.5 * radius, high - low), bar, "cap"),
+        ArmPiece(body - 1, "box", (side, side, 1.4 * side), sleeve, "housing"),
+        ArmPiece(body, "box", (1.5 * radius, 1.5 * radius, high - low), bar, "cap"),
     ]
 
 
@@ -206,10 +206,10 @@ def bar_ends(values: Matrix, margin: float) -> tuple[float, float]:
     return -far - margin, -near + margin
 
 
-def _tool(chain: Chain, body: int, tool: Matrix, scale: float) -> list[Piece]:
+def _tool(chain: Chain, body: int, tool: Matrix, scale: float) -> list[ArmPiece]:
     placed = tool.copy()
     placed[:3, 3] *= scale
-    ball = Piece(body, "sphere", (1.15 * TUBE,), placed, "tool")
+    ball = ArmPiece(body, "sphere", (1.15 * TUBE,), placed, "tool")
     if chain.task == "position":
         return [ball]
     return [ball, *triad(body, placed, 0.085, 0.0075)]

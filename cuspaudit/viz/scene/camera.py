@@ -16,12 +16,12 @@ from cuspaudit.viz.scene.arm import bar_ends, elbows, tube_radius, unit_axis
 from cuspaudit.viz.scene.motion import PathFrames
 from cuspaudit.viz.scene.shapes import Triangles
 
-__all__ = ["Outlook", "nice_step", "ring", "tube"]
+__all__ = ["Camera", "nice_step", "ring", "tube"]
 
 Matrix = NDArray[np.float64]
 
 
-class Outlook:
+class Camera:
     """The drawn arm as points in space, and what follows from them.
 
     Attributes:

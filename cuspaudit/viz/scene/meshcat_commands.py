@@ -19,7 +19,7 @@ from meshcat.commands import SetObject, SetTransform
 from meshcat.path import Path as TreePath
 from numpy.typing import NDArray
 
-from cuspaudit.viz.scene.arm import Piece
+from cuspaudit.viz.scene.arm import ArmPiece
 from cuspaudit.viz.scene.shapes import Triangles
 
 __all__ = ["CommandList", "viewer_license", "viewer_script"]
@@ -55,7 +55,7 @@ class CommandList:
         self._names = 0
         self._ids = 0
 
-    def piece(self, path: str, piece: Piece, colour: int) -> None:
+    def piece(self, path: str, piece: ArmPiece, colour: int) -> None:
         """Draw a primitive under ``path``."""
         size = piece.size
         shape: Any

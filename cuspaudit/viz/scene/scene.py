@@ -19,8 +19,8 @@ from numpy.typing import NDArray
 
 from cuspaudit.robot.chain import Chain
 from cuspaudit.robot.frames import transform
-from cuspaudit.viz.scene.arm import Piece, arm_pieces, pointing, triad, unit_axis
-from cuspaudit.viz.scene.camera import Outlook, ring, tube
+from cuspaudit.viz.scene.arm import ArmPiece, arm_pieces, pointing, triad, unit_axis
+from cuspaudit.viz.scene.camera import Camera, ring, tube
 from cuspaudit.viz.scene.meshcat_commands import CommandList
 from cuspaudit.viz.scene.motion import PathFrames, chain_length
 from cuspaudit.viz.scene.shapes import LinkShape, Triangles, read_mesh, thinned
@@ -81,7 +81,7 @@ def build_scene(
         The scene for `cuspaudit.viz.page.render_page`.
     """
     scale = 1.0 / chain_length(chain)
-    outlook = Outlook(chain, shown, scale)
+    outlook = Camera(chain, shown, scale)
     commands = CommandList()
     for node in ("/Grid", "/Axes"):
         commands.hide(node)
@@ -169,7 +169,7 @@ def _draw_shape(
     size = tuple(float(side) * scale for side in shape.size)
     if shape.kind in ("box", "cylinder", "sphere"):
         kind: Any = shape.kind
-        commands.piece(_node(body), Piece(body, kind, size, origin, "link"), colour)
+        commands.piece(_node(body), ArmPiece(body, kind, size, origin, "link"), colour)
 
 
 def _colour(rgba: tuple[float, ...] | None) -> int:
@@ -179,16 +179,16 @@ def _colour(rgba: tuple[float, ...] | None) -> int:
     return (red << 16) + (green << 8) + blue
 
 
-def _draw_ground(commands: CommandList, outlook: Outlook) -> None:
+def _draw_ground(commands: CommandList, outlook: Camera) -> None:
     """Grid and base: a plate, on a column when the arm dips below its base."""
     commands.lines("ground", outlook.grid(), GRID, 0.42)
     up = np.array([0.0, 0.0, 1.0])
     ground, height = outlook.ground, -outlook.ground
     plate = pointing(up, np.array([0.0, 0.0, ground + 0.006]))
-    pieces = [Piece(-1, "cylinder", (0.075, 0.012), plate, "base")]
+    pieces = [ArmPiece(-1, "cylinder", (0.075, 0.012), plate, "base")]
     if height > 0.012:
         column = pointing(up, np.array([0.0, 0.0, ground + height / 2]))
-        pieces.append(Piece(-1, "cylinder", (0.026, height), column, "base"))
+        pieces.append(ArmPiece(-1, "cylinder", (0.026, height), column, "base"))
     for piece in pieces:
         commands.piece("stand", piece, COLOURS["base"])
 
@@ -208,7 +208,7 @@ def _draw_target(
             commands.piece("target", piece, COLOURS[piece.role])
 
 
-def _drawing(chain: Chain, shown: PathFrames, outlook: Outlook) -> dict[str, Any]:
+def _drawing(chain: Chain, shown: PathFrames, outlook: Camera) -> dict[str, Any]:
     """Everything the page's script needs, as plain JSON."""
     scale = outlook.scale
     one_place = _one_place(shown, scale)

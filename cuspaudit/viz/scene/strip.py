@@ -18,7 +18,7 @@ from cuspaudit.viz.page_rows import number
 from cuspaudit.viz.scene.camera import nice_step
 from cuspaudit.viz.scene.motion import PathFrames
 
-__all__ = ["Strip", "Tick", "build_strip"]
+__all__ = ["DeterminantStrip", "Tick", "build_strip"]
 
 Matrix = NDArray[np.float64]
 SCALES = {1: "", 2: "square-root scale", 3: "cube-root scale", 5: "fifth-root scale"}
@@ -35,7 +35,7 @@ class Tick:
 
 
 @dataclass(frozen=True, slots=True)
-class Strip:
+class DeterminantStrip:
     """The drawing of det J.
 
     Attributes:
@@ -67,7 +67,7 @@ class Strip:
     sign: str
 
 
-def build_strip(chain: Chain, shown: PathFrames) -> Strip:
+def build_strip(chain: Chain, shown: PathFrames) -> DeterminantStrip:
     """Draw det J over the postures ``shown`` of ``chain``."""
     values = shown.determinants
     sizes = np.abs(values)
@@ -86,7 +86,7 @@ def build_strip(chain: Chain, shown: PathFrames) -> Strip:
     at = int(np.argmin(sizes))
     zero = top(0.0)
     points = " ".join(f"{x:.2f},{y:.2f}" for x, y in zip(xs, heights, strict=True))
-    return Strip(
+    return DeterminantStrip(
         points=points,
         area=f"{xs[0]:.2f},{zero} {points} {xs[-1]:.2f},{zero}",
         stems=tuple((x, y, zero) for x, y in zip(xs, heights, strict=True)),

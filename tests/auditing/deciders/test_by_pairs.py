@@ -18,7 +18,7 @@ from cuspaudit.auditing.audit import audit
 from cuspaudit.auditing.case import Case
 from cuspaudit.auditing.deciders.by_pairs import by_pair_maxima
 from cuspaudit.auditing.deciders.decide import answer, decide
-from cuspaudit.auditing.deciders.ways import WAYS
+from cuspaudit.auditing.deciders.registry import DECIDERS
 from cuspaudit.certificate import verify
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import DegenerateMapError, UnableError
@@ -112,7 +112,7 @@ def test_an_undecided_audit_shows_its_pairs(monkeypatch: pytest.MonkeyPatch) -> 
     """A stiff wrist, its cusps left out: no witness is met, the evidence is told."""
     monkeypatch.setattr(
         *(import_module("cuspaudit.auditing.audit"), "decide"),
-        lambda case, clock, ways=WAYS: decide(
+        lambda case, clock, ways=DECIDERS: decide(
             case, clock, [way for way in ways if way.stage != "cusp"]
         ),
     )

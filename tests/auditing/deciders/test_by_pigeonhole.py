@@ -23,7 +23,7 @@ from cuspaudit.auditing.deciders.by_pigeonhole import (
     postures_by_aspect,
 )
 from cuspaudit.auditing.deciders.decide import answer, decide
-from cuspaudit.auditing.deciders.ways import EXACT, WAYS, Way
+from cuspaudit.auditing.deciders.registry import DECIDERS, EXACT, Decider
 from cuspaudit.auditing.proof_record import proof_record
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import UnableError
@@ -98,9 +98,9 @@ def test_a_crowded_aspect_decides_where_no_path_is_proved(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """CUSPIDAL, exact, with the pose and two postures named, and no certificate."""
-    search = WAYS[-2:]
+    search = DECIDERS[-2:]
     assert [way.stage for way in search] == ["search", "pairs"]
-    nothing = [way for way in WAYS if way not in search and way.stage != "cusp"]
+    nothing = [way for way in DECIDERS if way not in search and way.stage != "cusp"]
     monkeypatch.setattr(
         module, "decide", lambda case, clock, ways=nothing: decide(case, clock, ways)
     )
@@ -128,7 +128,7 @@ def test_a_crowded_aspect_decides_where_no_path_is_proved(
 
 def test_a_model_near_the_arm_is_no_ground() -> None:
     """The JACO's twists of 55 deg are rational points: its model is another arm."""
-    ways = (*EXACT, Way("search", by_pigeonhole))
+    ways = (*EXACT, Decider("search", by_pigeonhole))
     for name, verdict in (
         ("kinova-jaco-gen2", Verdict.UNDECIDED),
         ("fanuc-crx-10ia-l", Verdict.CUSPIDAL),

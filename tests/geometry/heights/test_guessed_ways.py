@@ -7,16 +7,18 @@ import numpy as np
 from cuspaudit.algebra.polynomial_text import parse_polynomial
 from cuspaudit.algebra.ring import Ring
 from cuspaudit.algebra.system import PolynomialSystem
-from cuspaudit.geometry.heights.charted_height import Landscape
+from cuspaudit.geometry.heights.charted_height import ChartedHeight
 from cuspaudit.geometry.heights.guessed_ways import GuessedWays, random_points
 from cuspaudit.geometry.heights.height import plain_height
 
 
-def circle(function: str) -> Landscape:
+def circle(function: str) -> ChartedHeight:
     """The height log |h|^2 on the unit circle."""
     ring = Ring(["c", "s"])
     variety = PolynomialSystem(ring, (parse_polynomial(ring, "c^2 + s^2 - 1"),))
-    return Landscape(variety, 1, plain_height(ring, [parse_polynomial(ring, function)]))
+    return ChartedHeight(
+        variety, 1, plain_height(ring, [parse_polynomial(ring, function)])
+    )
 
 
 def test_random_points_lie_on_the_variety() -> None:

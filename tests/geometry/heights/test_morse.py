@@ -9,7 +9,7 @@ from flint import arb, ctx, fmpq
 from cuspaudit.algebra.ring import Ring
 from cuspaudit.algebra.system import PolynomialSystem
 from cuspaudit.geometry.heights.ascent import climb
-from cuspaudit.geometry.heights.charted_height import Landscape
+from cuspaudit.geometry.heights.charted_height import ChartedHeight
 from cuspaudit.geometry.heights.height import plain_height
 from cuspaudit.geometry.heights.morse import (
     basin,
@@ -26,7 +26,7 @@ RING = Ring(["x", "y", "z"])
 x, y, z = RING.gens
 SPHERE = PolynomialSystem(RING, (x**2 + y**2 + z**2 - 1,))
 # positive on the sphere, with maxima at +-x, minima at +-z, saddles at +-y
-HILLS = Landscape(SPHERE, 2, plain_height(RING, [3 * x**2 + 2 * y**2 + z**2]))
+HILLS = ChartedHeight(SPHERE, 2, plain_height(RING, [3 * x**2 + 2 * y**2 + z**2]))
 
 
 def ball(*coordinates: float) -> tuple[arb, ...]:
@@ -174,7 +174,9 @@ def test_a_segment_bounds_the_height_along_it() -> None:
 def test_a_segment_across_a_zero_is_refused() -> None:
     """P = y is 0 half way from (3/5, -4/5) to (3/5, 4/5)."""
     plane = Ring(["x", "y"])
-    flat = Landscape(PolynomialSystem(plane), 2, plain_height(plane, [plane.gens[1]]))
+    flat = ChartedHeight(
+        PolynomialSystem(plane), 2, plain_height(plane, [plane.gens[1]])
+    )
     tangent = flat.tangent(np.array([0.6, -0.8]))
     change = tangent.forms.values([arb(0), arb(1.6)])
     over = [arb(0.6), arb(0, 0.81)]

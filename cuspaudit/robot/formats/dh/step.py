@@ -28,7 +28,7 @@ from cuspaudit.robot.chain import (
     Vector,
 )
 
-__all__ = ["Step", "dh_step", "z_screw"]
+__all__ = ["DhStep", "dh_step", "z_screw"]
 
 Matrix = tuple[Vector, Vector, Vector]
 
@@ -44,7 +44,7 @@ _QUARTERS: dict[tuple[Fraction | int, Fraction | int], int] = {
 
 
 @dataclass(frozen=True, slots=True)
-class Step:
+class DhStep:
     """Rz(theta) Tz(d) Tx(a) Rx(alpha) Rz(psi) Tz(rise)."""
 
     theta: Angle = _NONE
@@ -60,9 +60,9 @@ class Step:
         angles = (self.theta, self.alpha, self.psi)
         return not any(angle.half_turns and angle.radians for angle in angles)
 
-    def between(self, before: Step, after: Step) -> Step:
+    def between(self, before: DhStep, after: DhStep) -> DhStep:
         """This step with one about z before it and one about z after it."""
-        return Step(
+        return DhStep(
             self.theta + before.psi,
             self.d + before.rise,
             self.a,
@@ -72,7 +72,7 @@ class Step:
         )
 
 
-def z_screw(motions: Sequence[Motion]) -> Step | None:
+def z_screw(motions: Sequence[Motion]) -> DhStep | None:
     """The motions as Rz(psi) Tz(rise), None when one is not about or along z."""
     psi, rise = Angle(), Fraction(0)
     for motion in motions:
@@ -84,10 +84,10 @@ def z_screw(motions: Sequence[Motion]) -> Step | None:
             if any(motion.axis[:2]):
                 return None
             psi += motion.angle if motion.axis[2] > 0 else -motion.angle
-    return Step(psi=psi, rise=rise)
+    return DhStep(psi=psi, rise=rise)
 
 
-def dh_step(motions: Sequence[Motion]) -> Step | None:
+def dh_step(motions: Sequence[Motion]) -> DhStep | None:
     """The step equal to the product of ``motions``, None where none is exact."""
     first = 0
     while first < len(motions) and z_screw(motions[first : first + 1]):
@@ -102,7 +102,7 @@ def dh_step(motions: Sequence[Motion]) -> Step | None:
     return core.between(before, after)
 
 
-def _core(motions: Sequence[Motion]) -> Step | None:
+def _core(motions: Sequence[Motion]) -> DhStep | None:
     """The step of motions of which at most one is no quarter turn.
 
     T(left) Rot(axis, bend) T(right) R is their product, R and the vectors rational.
@@ -132,17 +132,17 @@ def _core(motions: Sequence[Motion]) -> Step | None:
 
 def _bent(
     left: Vector, axis: Vector, bend: Angle, right: Vector, R: Matrix
-) -> Step | None:
+) -> DhStep | None:
     """The step of T(left) Rot(axis, bend) T(right) R."""
     z = _turned(R, Z_AXIS)
     if not any(axis[:2]) and not any(left[:2]):
         rest = _square(R, right)
-        turn = Step(psi=bend if axis[2] > 0 else -bend, rise=left[2])
-        return rest and rest.between(turn, Step())
+        turn = DhStep(psi=bend if axis[2] > 0 else -bend, rise=left[2])
+        return rest and rest.between(turn, DhStep())
     if axis in (z, _opposite(z)) and not any(_cross(right, axis)):
         rest = _square(R, _plus(left, right))
-        turn = Step(psi=bend if _dot(axis, z) > 0 else -bend)
-        return rest and rest.between(Step(), turn)
+        turn = DhStep(psi=bend if _dot(axis, z) > 0 else -bend)
+        return rest and rest.between(DhStep(), turn)
     quarter = _QUARTERS.get((axis[0], axis[1]))
     if quarter is None or _dot(axis, z) != 0:
         return None
@@ -155,10 +155,10 @@ def _bent(
     alpha = bend + _half_turns(beta)
     if psi is None:
         return None
-    return Step(_half_turns(quarter), left[2], a, alpha, psi, rise)
+    return DhStep(_half_turns(quarter), left[2], a, alpha, psi, rise)
 
 
-def _square(R: Matrix, p: Vector) -> Step | None:
+def _square(R: Matrix, p: Vector) -> DhStep | None:
     """The step of T(p) R when z and R z are parallel or at right angles."""
     z = _turned(R, Z_AXIS)
     if not any(z[:2]):
@@ -178,7 +178,7 @@ def _square(R: Matrix, p: Vector) -> Step | None:
     alpha = _half_turns(twist)
     if psi is None:
         return None
-    return Step(_half_turns(quarter), p[2], _dot(p, x), alpha, psi, rise)
+    return DhStep(_half_turns(quarter), p[2], _dot(p, x), alpha, psi, rise)
 
 
 def _last_angle(R: Matrix, quarter: int, twist: int) -> Angle | None:

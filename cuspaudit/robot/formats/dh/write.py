@@ -32,7 +32,7 @@ from cuspaudit.robot.chain import (
     Vector,
 )
 from cuspaudit.robot.formats.dh.settings import Convention
-from cuspaudit.robot.formats.dh.step import Step, dh_step, z_screw
+from cuspaudit.robot.formats.dh.step import DhStep, dh_step, z_screw
 from cuspaudit.robot.formats.motion_text import format_motion, format_vector
 from cuspaudit.robot.numbers import format_angle, format_rational
 
@@ -61,8 +61,8 @@ class _Row:
 
     joint: Joint
     before: tuple[Motion, ...] = ()
-    lead: Step = field(default_factory=Step)
-    step: Step = field(default_factory=Step)
+    lead: DhStep = field(default_factory=DhStep)
+    step: DhStep = field(default_factory=DhStep)
 
     @property
     def onto(self) -> tuple[Motion, ...] | None:
@@ -130,7 +130,7 @@ def _rows(
     return rows, ahead + _along_z(rest.psi, rest.rise)
 
 
-def _begin(row: _Row, convention: Convention) -> Step:
+def _begin(row: _Row, convention: Convention) -> DhStep:
     """Write what stands before the first axis; return what is left about it.
 
     A standard row has no twist before its joint.
@@ -141,9 +141,9 @@ def _begin(row: _Row, convention: Convention) -> Step:
         step = dh_step(fixed)
     if row.onto is None or step is None or not step.is_plain:
         row.before = fixed
-        return Step()
+        return DhStep()
     row.lead, row.before = step, _along_z(step.theta, step.d)
-    return Step(psi=step.psi, rise=step.rise)
+    return DhStep(psi=step.psi, rise=step.rise)
 
 
 def _along_z(angle: Angle, length: Fraction) -> tuple[Motion, ...]:
@@ -153,14 +153,14 @@ def _along_z(angle: Angle, length: Fraction) -> tuple[Motion, ...]:
     return (*turn, move) if length else turn
 
 
-def _along_x(step: Step) -> tuple[Motion, ...]:
+def _along_x(step: DhStep) -> tuple[Motion, ...]:
     """The motions Tx(a) Rx(alpha), without those that are 0."""
     turn = () if step.alpha.is_zero else (Rotation(X_AXIS, step.alpha),)
     move = Translation((step.a, Fraction(0), Fraction(0)))
     return (move, *turn) if step.a else turn
 
 
-def _step(row: _Row, fixed: tuple[Motion, ...], pending: Step) -> Step | None:
+def _step(row: _Row, fixed: tuple[Motion, ...], pending: DhStep) -> DhStep | None:
     """The step from the axis of ``row`` over ``fixed`` to the next z, if exact.
 
     Numbers in rad are not added up, so that they are snapped as in the chain.
@@ -168,14 +168,14 @@ def _step(row: _Row, fixed: tuple[Motion, ...], pending: Step) -> Step | None:
     step = None if row.onto is None else dh_step(_back(row) + fixed)
     if step is None or (step.theta.radians and pending.psi.radians):
         return None
-    return step if step.between(pending, Step()).is_plain else None
+    return step if step.between(pending, DhStep()).is_plain else None
 
 
-def _fill(row: _Row, pending: Step, step: Step | None) -> Step:
+def _fill(row: _Row, pending: DhStep, step: DhStep | None) -> DhStep:
     """Write what is pending about the row's z, and the step; return what is left."""
-    whole = (step or Step()).between(pending, Step())
+    whole = (step or DhStep()).between(pending, DhStep())
     row.step = whole
-    return Step(psi=whole.psi, rise=whole.rise)
+    return DhStep(psi=whole.psi, rise=whole.rise)
 
 
 def _back(row: _Row) -> tuple[Motion, ...]:

@@ -19,11 +19,11 @@ from cuspaudit.auditing.deciders.certify import by_couple
 from cuspaudit.auditing.deciders.three_joints import by_all_pairs, by_sample_values
 from cuspaudit.runtime.clock import Clock
 
-__all__ = ["EXACT", "HAIR", "WAYS", "Way"]
+__all__ = ["DECIDERS", "EXACT", "HAIR", "Decider"]
 
 
 @dataclass(frozen=True)
-class Way:
+class Decider:
     """A way to a verdict.
 
     Attributes:
@@ -48,24 +48,24 @@ def _when_open(file: str, name: str) -> Callable[[Case, Clock], Answer | None]:
     return decide
 
 
-_BY_SEARCH = Way("search", _when_open("by_search", "by_search"))
+_BY_SEARCH = Decider("search", _when_open("by_search", "by_search"))
 
 EXACT = (
-    Way("decide", by_sample_values),
-    Way("decide", by_all_pairs),
-    Way("decide", by_theorem),
+    Decider("decide", by_sample_values),
+    Decider("decide", by_all_pairs),
+    Decider("decide", by_theorem),
 )
 """Exact engines and theorems alone."""
 
-WAYS = (
+DECIDERS = (
     *EXACT,
-    Way("certify", by_couple),
-    Way("cusp", _when_open("by_cusp", "by_cusp")),
-    Way("search", _when_open("by_pigeonhole", "by_pigeonhole")),
+    Decider("certify", by_couple),
+    Decider("cusp", _when_open("by_cusp", "by_cusp")),
+    Decider("search", _when_open("by_pigeonhole", "by_pigeonhole")),
     _BY_SEARCH,
-    Way("pairs", _when_open("by_pairs", "by_pair_maxima")),
+    Decider("pairs", _when_open("by_pairs", "by_pair_maxima")),
 )
 """All of them."""
 
-HAIR = (*EXACT, Way("certify", by_couple), _BY_SEARCH)
+HAIR = (*EXACT, Decider("certify", by_couple), _BY_SEARCH)
 """Those for the numbers as written, where the snapped ones were asked before."""

@@ -10,7 +10,7 @@ from short_tables import arm
 from cuspaudit.auditing.answer import Answer, Reason, undecided
 from cuspaudit.auditing.case import Case
 from cuspaudit.auditing.deciders.decide import decide
-from cuspaudit.auditing.deciders.ways import EXACT, HAIR, WAYS, Way
+from cuspaudit.auditing.deciders.registry import DECIDERS, EXACT, HAIR, Decider
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.kinematics.exact_model import exact_model
 from cuspaudit.robot.library import open_robot
@@ -47,7 +47,7 @@ def test_each_way_hears_of_those_before_it() -> None:
         assert case.so_far is not None
         return case.so_far.still_open(", still")
 
-    ways = [Way("one", opening), Way("two", silent), Way("two", last)]
+    ways = [Decider("one", opening), Decider("two", silent), Decider("two", last)]
     clock = Clock()
     found = decide(Case(model, model.chain), clock, ways)
     assert heard == [None, first, first]
@@ -56,7 +56,7 @@ def test_each_way_hears_of_those_before_it() -> None:
     assert set(clock.seconds) == {"one", "two", "total"}
 
 
-@pytest.mark.parametrize("ways", [WAYS, HAIR, EXACT])
-def test_the_exact_ways_come_first(ways: tuple[Way, ...]) -> None:
+@pytest.mark.parametrize("ways", [DECIDERS, HAIR, EXACT])
+def test_the_exact_ways_come_first(ways: tuple[Decider, ...]) -> None:
     """No list searches before the exact engines and theorems were asked."""
     assert ways[: len(EXACT)] == EXACT
