@@ -81,8 +81,8 @@ def _row(joint: Mapping[str, Any], column: Sequence[float], turns: bool) -> Limi
     lower, upper = joint.get("lower"), joint.get("upper")  # both or none
     least, most = (min(column), max(column)) if column else (None, None)
     room = None
-    if least is not None and most is not None and lower is not None:
-        room = min(least - lower, upper - most)
+    if column and lower is not None and upper is not None:
+        room = min(min(column) - lower, upper - max(column))
     values = [lower, upper, least, most, room]
     if turns:
         values = [None if v is None else math.degrees(v) for v in values]

@@ -20,7 +20,6 @@ from cuspaudit.auditing.search.cusps import Interval, TaskMap
 from cuspaudit.auditing.search.lift import close
 from cuspaudit.errors import RetryableError
 from cuspaudit.robot.chain import Chain
-from cuspaudit.robot.frames import jacobian
 
 __all__ = ["is_inside", "paths_around", "slack_of"]
 
@@ -79,7 +78,7 @@ def _closed(
     chain: Chain, map_: TaskMap, path: Array, limits: Sequence[Interval]
 ) -> Array | None:
     """The path with its ends in one pose, if it is one that may be proved."""
-    if not is_inside(path, limits):
+    if not is_inside(path, limits) or not _keeps_sign(map_, path[[0, 1]]):
         return None
     try:
         path = close(chain, path)
@@ -89,18 +88,17 @@ def _closed(
     turned = np.abs(np.remainder(moved + np.pi, 2 * np.pi) - np.pi)
     if max(turned) < _APART or not is_inside(path, limits):
         return None
+    return path if _keeps_sign(map_, path) else None
+
+
+def _keeps_sign(map_: TaskMap, path: Array) -> bool:
+    """Whether det J, sampled, has one sign and stays away from 0 on the path."""
     shares = np.linspace(0, 1, _SAMPLES)[:, None]
     points = np.vstack([a + shares * (b - a) for a, b in pairwise(path)])
-    with np.errstate(all="ignore"):
-        heights = np.array([np.linalg.det(jacobian(chain, q)) for q in points])
-    one_sign = (heights > 0).all() or (heights < 0).all()
-    return path if one_sign and _is_level(heights) else None
-
-
-def _is_level(heights: Array) -> bool:
-    """Whether |det J| stays away from 0, compared with its largest value."""
+    heights = map_.conditions(points)[0][:, 0]
     sizes = np.abs(heights)
-    return bool(sizes.min() > _LEVEL * sizes.max())
+    one_sign = (heights > 0).all() or (heights < 0).all()
+    return bool(one_sign and sizes.min() > _LEVEL * sizes.max())
 
 
 def is_inside(path: Array, limits: Sequence[Interval]) -> bool:
