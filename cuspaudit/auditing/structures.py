@@ -1,9 +1,10 @@
 """The structures near an audited arm, with the verdict of the arm that has each.
 
-The theorems settle the nearest arms alone: a pattern that is noncuspidal by itself, and
-a spherical wrist or shoulder whose three joints have parallel or meeting neighbours.
-Algorithm 1 is not run for them, so the verdict of a wrist on other three joints is left
-open. None of it says anything of the robot, unless the structure holds.
+The theorems settle most nearest arms alone: a pattern that is noncuspidal by itself,
+and a spherical wrist or shoulder whose three joints have parallel or meeting
+neighbours. For the nearest of the others Algorithm 1 is given half a second; the
+verdict of the rest is left open. None of it says anything of the robot, unless the
+structure holds.
 """
 
 from __future__ import annotations
@@ -13,8 +14,10 @@ from typing import Any
 
 from cuspaudit.auditing.answer import Answer
 from cuspaudit.auditing.aspects import count_aspects
+from cuspaudit.auditing.deciders.decide import answer
 from cuspaudit.count import Count
 from cuspaudit.cuspidality.verdict import Verdict
+from cuspaudit.errors import UnableError
 from cuspaudit.kinematics.exact_model import ExactModel
 from cuspaudit.kinematics.nearest.nearest_structures import (
     AxisMove,
@@ -28,8 +31,11 @@ from cuspaudit.kinematics.theorems.neighbouring_axes import (
 )
 from cuspaudit.kinematics.theorems.registry import reduction_of
 from cuspaudit.robot.distance_text import distance_text, structure_words
+from cuspaudit.runtime.clock import check_time, time_limit
 
 __all__ = ["Structure", "near_structures", "why_undecided"]
+
+_SECONDS = 0.5
 
 
 @dataclass(frozen=True)
@@ -42,7 +48,7 @@ class Structure:
         length: the largest shift of an axis that a nearest arm with it needs.
         angle: the largest tilt of an axis that it needs, in rad.
         unit: of lengths.
-        verdict: of that arm; None where no theorem alone settles it.
+        verdict: of that arm; None where it was not settled.
         aspects: of that arm; None where they are not counted.
         way: how its axes stand.
         moves: the axes that move.
@@ -67,9 +73,20 @@ class Structure:
 
 def near_structures(found: Answer) -> tuple[Structure, ...]:
     """The structures near the arm of an answer, nearest first."""
-    near = nearest_structures(found.model)
-    judged = (_judged(structure, found) for structure in near)
-    return tuple(structure for structure in judged if structure is not None)
+    judged = []
+    is_asked = False
+    for near in nearest_structures(found.model):
+        if near.holds:
+            judged.append(_structure(near, found.verdict, found.aspects))
+        elif is_regular_somewhere(near.model):
+            if _is_settled(near):
+                verdict, aspects = Verdict.NONCUSPIDAL, _aspects(near)
+                judged.append(_structure(near, verdict, aspects))
+            else:
+                decided = None if is_asked else _decided(near)
+                is_asked = True
+                judged.append(decided or _structure(near, None, _aspects(near)))
+    return tuple(judged)
 
 
 def why_undecided(model: ExactModel) -> str | None:
@@ -81,15 +98,9 @@ def why_undecided(model: ExactModel) -> str | None:
     return None
 
 
-def _judged(near: NearStructure, found: Answer) -> Structure | None:
-    """With verdict and aspects; None where det J of that arm vanishes everywhere."""
-    verdict: Verdict | None = found.verdict
-    aspects = found.aspects
-    if not near.holds:
-        if not is_regular_somewhere(near.model):
-            return None
-        verdict = Verdict.NONCUSPIDAL if _is_settled(near) else None
-        aspects = _aspects(near)
+def _structure(
+    near: NearStructure, verdict: Verdict | None, aspects: Count | None
+) -> Structure:
     return Structure(
         near.name,
         near.holds,
@@ -101,6 +112,18 @@ def _judged(near: NearStructure, found: Answer) -> Structure | None:
         near.way,
         near.moves,
     )
+
+
+def _decided(near: NearStructure) -> Structure | None:
+    """As Algorithm 1 has it, for the three joints; None if that takes too long."""
+    try:
+        with time_limit(_SECONDS):
+            found = answer(near.model, check_time)
+    except UnableError:
+        return None
+    if found.verdict is Verdict.UNDECIDED:
+        return None
+    return _structure(near, found.verdict, found.aspects)
 
 
 def _is_settled(near: NearStructure) -> bool:

@@ -49,10 +49,18 @@ def test_a_broken_wrist_has_the_verdict_of_the_whole_one() -> None:
     assert wrist.aspects == whole.aspects.count == 8
 
 
-def test_a_wrist_on_other_joints_is_left_open() -> None:
-    """Three joints that no theorem settles give the nearest arm no verdict."""
+def test_a_wrist_on_other_joints_is_decided_by_them(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Where no theorem settles the three joints, Algorithm 1 does, or time is up."""
     chain = with_wrist(arm(*CUSPIDAL))
-    assert ask(chain).verdict is Verdict.CUSPIDAL
+    whole = ask(chain)
+    assert whole.verdict is Verdict.CUSPIDAL
+    wrist = near(broken(chain))["spherical wrist"]
+    assert wrist.verdict is Verdict.CUSPIDAL
+    assert whole.aspects is not None
+    assert wrist.aspects == whole.aspects.count
+    monkeypatch.setattr("cuspaudit.auditing.structures._SECONDS", 0.0)
     assert near(broken(chain))["spherical wrist"].verdict is None
 
 
