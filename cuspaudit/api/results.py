@@ -189,6 +189,11 @@ class Audit:
         return Witness(path, witness.sign, witness.clearance, chain)
 
     @property
+    def margin(self) -> float | None:
+        """Every posture so many rad from the witness path is nonsingular; proved."""
+        return self._found.margin
+
+    @property
     def within_limits(self) -> WithinLimits | None:
         """The verdict within the joint limits; None where it was not asked for."""
         found = self._record["limits"]

@@ -13,6 +13,7 @@ from cuspaudit.auditing.crosscheck.compare import CrossCheck, crosscheck
 from cuspaudit.auditing.crosscheck.pinocchio_model import is_readable
 from cuspaudit.auditing.deciders.decide import decide
 from cuspaudit.auditing.deciders.registry import HAIR
+from cuspaudit.auditing.margin import margin_of
 from cuspaudit.auditing.options import Options
 from cuspaudit.auditing.record import Audit
 from cuspaudit.auditing.structure_certificate import structure_certificate
@@ -54,6 +55,8 @@ def audit(robot: Robot, options: Options | None = None) -> Audit:
         found = _decide(robot, case, clock)
         with clock.stage("aspects"):
             found = _with_aspects(found, clock)
+    with clock.stage("margin"):
+        margin = margin_of(found.witness.certificate) if found.witness else None
     with clock.stage("structures"):
         structures = near_structures(found)
     with clock.stage("limits"):
@@ -81,6 +84,7 @@ def audit(robot: Robot, options: Options | None = None) -> Audit:
         structures,
         why,
         within,
+        margin,
     )
 
 

@@ -50,6 +50,7 @@ class Audit:
         seconds: time of each stage.
         seed: of the random choices.
         within: the verdict within the joint limits; None without limits.
+        margin: how far from the witness path, in rad, no posture is singular; proved.
         policy: which numbers were taken for others.
     """
 
@@ -66,6 +67,7 @@ class Audit:
     structures: tuple[Structure, ...] = ()
     why_literal: str | None = None
     within: WithinLimits | None = None
+    margin: float | None = None
 
     @property
     def verdict(self) -> Verdict:
@@ -109,7 +111,7 @@ class Audit:
             "limits": self.within.record(limits_certificate) if self.within else None,
             "cusp": self._cusp(certificate),
             "structures": self._structures(),
-            "margin": None,
+            "margin": self._margin(),
             "tolerance": None,
             "crosscheck": asdict(self.check),
             "undecided": _undecided(answer),
@@ -137,6 +139,11 @@ class Audit:
         """The path to look at: inside the joint limits if there is one."""
         inside = self.within.witness if self.within else None
         return inside or self.witness
+
+    def _margin(self) -> dict[str, Any] | None:
+        if self.margin is None:
+            return None
+        return {"joint_angle": self.margin, "proved": True}
 
     def _structures(self) -> list[dict[str, Any]] | None:
         return [structure.record() for structure in self.structures] or None

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from typing import Any
 
@@ -51,6 +52,9 @@ def print_summary(record: Mapping[str, Any], files: Mapping[str, Any]) -> None:
     }
     if witness and witness["clearance"] is not None:
         rows["clearance"] = f"{witness['clearance']:.3g} of the largest |det J|"
+    if record.get("margin"):
+        angle = math.degrees(record["margin"]["joint_angle"])
+        rows["margin"] = f"{angle:.1f} deg of joint motion, or more (proved)"
     rows |= {name: file for name, file in files.items() if file}
     rows["time"] = f"{record['seconds']['total']:.2f} s"
     for name, value in rows.items():
