@@ -15,6 +15,7 @@ from cuspaudit.auditing.audit import audit
 from cuspaudit.errors import CuspauditError, InvalidInputError, unforeseen
 from cuspaudit.robot.formats.registry import recorded_endings
 from cuspaudit.robot.library import open_robot
+from cuspaudit.robot.robot import WITHIN
 from cuspaudit.runtime.interruption import end_processes
 
 __all__ = ["Checked", "check_robot", "check_robots", "junit", "robot_files"]
@@ -123,7 +124,16 @@ def _found(record: Mapping[str, Any]) -> dict[str, Any]:
         "max_postures": postures["max"] if postures["proved"] else None,
         "cusps": record["singular"]["cusps"],
         "nodes": record["singular"]["nodes"],
-    }
+    } | _found_within(record["limits"])
+
+
+def _found_within(limits: Mapping[str, Any] | None) -> dict[str, Any]:
+    """The verdict within joint limits, and its aspects where they are proved."""
+    verdict, aspects = None, None
+    if limits is not None:
+        verdict, counted = limits["verdict"], limits["aspects"]
+        aspects = counted["count"] if counted["proved"] else None
+    return {f"{WITHIN}.verdict": verdict, f"{WITHIN}.aspects": aspects}
 
 
 def _compare(
@@ -133,8 +143,9 @@ def _compare(
     text = ", ".join(f"{k} {v}" for k, v in found.items() if v is not None)
     if not wanted:
         return "no expectation", text
-    if found["verdict"] == "undecided" != wanted.get("verdict", "undecided"):
-        return "undecided", f"{text}; {wanted['verdict']} is recorded"
+    for key in ("verdict", f"{WITHIN}.verdict"):
+        if found[key] == "undecided" != wanted.get(key, "undecided"):
+            return "undecided", f"{text}; {key} {wanted[key]} is recorded"
     wrong = [
         f"{key} {found[key]} where {value} is recorded"
         for key, value in wanted.items()

@@ -13,6 +13,7 @@ from pathlib import Path
 
 from cuspaudit.errors import InvalidInputError, InvalidRobotError
 from cuspaudit.robot.formats.dh.read import read_dh
+from cuspaudit.robot.robot import WITHIN
 from cuspaudit.runtime.writing import write_text
 
 __all__ = ["annotation", "write_expectation"]
@@ -70,7 +71,20 @@ def annotation(file: str, status: str, detail: str) -> str | None:
 
 
 def _line(found: Mapping[str, str | int]) -> str:
-    return f"expect: {{{', '.join(f'{key}: {value}' for key, value in found.items())}}}"
+    plain = {key: value for key, value in found.items() if "." not in key}
+    inside = {
+        key.removeprefix(f"{WITHIN}."): value
+        for key, value in found.items()
+        if key.startswith(f"{WITHIN}.")
+    }
+    said = dict[str, object](plain)
+    if inside:
+        said[WITHIN] = _mapping(inside)
+    return f"expect: {_mapping(said)}"
+
+
+def _mapping(found: Mapping[str, object]) -> str:
+    return f"{{{', '.join(f'{key}: {value}' for key, value in found.items())}}}"
 
 
 def _line_number(file: str) -> int:

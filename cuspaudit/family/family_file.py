@@ -36,7 +36,7 @@ from cuspaudit.robot.tables import Table, read_mapping, table_from_mapping
 
 __all__ = ["RECORDED", "read_family"]
 
-RECORDED = (*COUNTS, "clearance")
+RECORDED = (*COUNTS, "clearance", "within_limits")
 _RESERVED = {
     *WORDS,
     *RECORDED,
@@ -238,5 +238,5 @@ def _adaptive(
     levels = parse_whole(entry, "levels", place, least=1)
     if not names or levels > 12:
         raise place.error("no range to refine, or over 12 levels", "name two ranges")
-    on = _listed(entry.get("on"), ("verdict", *COUNTS), place.at("on"))
+    on = _listed(entry.get("on"), ("verdict", "within_limits", *COUNTS), place.at("on"))
     return Adaptive(names, levels, on or ("verdict",))

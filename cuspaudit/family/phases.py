@@ -19,6 +19,8 @@ from cuspaudit.robot.robot import COUNTS
 
 __all__ = ["Phases", "phases_of"]
 
+_COLOURS = ("within_limits", *COUNTS)
+
 
 @dataclass(frozen=True)
 class Phases:
@@ -54,7 +56,7 @@ def phases_of(
         folder: of the sweep, running or not.
         x: a parameter; by default the first that varies.
         y: another; by default the next.
-        colour: "verdict" or a count.
+        colour: "verdict", "within_limits" or a count.
         fixed: values of the other parameters. Random ones may be left: the members
             are then projected on the plane.
 
@@ -71,8 +73,9 @@ def phases_of(
     y = y or next((n for n in free if n != x), None)
     if x is None or y is None or x == y or not {x, y, *values} <= set(names):
         raise _error(folder, "no two parameters", f"choose two of {', '.join(names)}")
-    if colour not in ("verdict", *COUNTS) or colour not in (*family.record, "verdict"):
-        known = ", ".join(("verdict", *(c for c in COUNTS if c in family.record)))
+    columns = ["verdict", *(c for c in _COLOURS if c in family.record)]
+    if colour not in columns:
+        known = ", ".join(columns)
         raise _error(folder, f"no column {colour}", f"choose one of {known}")
     for p in family.parameters:
         if p.size > 1 and p.seed is None and p.name not in (x, y, *values):

@@ -80,9 +80,20 @@ def _decided(family: Family, index: int) -> Row:
         "why": found.why if found.undecided else None,
     }
     row |= {name: _proved(counts[name]) for name in family.record if name in counts}
+    if "within_limits" in family.record:
+        row["within_limits"] = _within_limits(found, chain, family.seed)
     if "clearance" in family.record:
         row["clearance"] = _clearance(found, chain)
     return row
+
+
+def _within_limits(found: Answer, chain: Chain, seed: int) -> str | None:
+    """The verdict within the limits of a member; None where it has none."""
+    # loaded only by the families that ask
+    from cuspaudit.auditing.within_limits import within_limits
+
+    within = within_limits(found, chain, seed, Clock())
+    return None if within is None else within.verdict.value
 
 
 def _proof(found: Answer) -> str:

@@ -9,9 +9,10 @@ from pathlib import Path
 from cuspaudit.robot.chain import Chain
 from cuspaudit.robot.place import Place, quoted
 
-__all__ = ["COUNTS", "VERDICTS", "Reading", "Robot", "parse_expectation"]
+__all__ = ["COUNTS", "VERDICTS", "WITHIN", "Reading", "Robot", "parse_expectation"]
 
 VERDICTS = ("cuspidal", "noncuspidal", "undecided")
+WITHIN = "within_limits"
 COUNTS = ("aspects", "max_postures", "cusps", "nodes")
 
 
@@ -71,7 +72,9 @@ def parse_expectation(
 
     Args:
         entries: any of "verdict", "aspects", "max_postures", "cusps", "nodes", each
-            as text ("null" and "" stand for None) or None.
+            as text ("null" and "" stand for None) or None; and "within_limits", a
+            mapping with a verdict and aspects of its own, which come back under the
+            keys "within_limits.verdict" and "within_limits.aspects".
         place: where they stand.
 
     Raises:
@@ -80,8 +83,11 @@ def parse_expectation(
     result: dict[str, str | int | None] = {}
     for key, value in entries.items():
         here = place.at(key if key.isidentifier() else quoted(key))
+        if key == WITHIN:
+            result |= _within(value, here)
+            continue
         if key not in ("verdict", *COUNTS):
-            expected = f"write one of verdict, {', '.join(COUNTS)}"
+            expected = f"write one of verdict, {', '.join(COUNTS)}, {WITHIN}"
             raise here.error("an unknown key", expected)
         if value is None or value in ("null", "~", ""):
             result[key] = None
@@ -93,6 +99,19 @@ def parse_expectation(
         else:
             result[key] = _count(value, here)
     return result
+
+
+def _within(value: object, place: Place) -> dict[str, str | int | None]:
+    """The recorded verdict and number of aspects within the joint limits."""
+    if value is None or value in ("null", "~", ""):
+        return {}
+    expected = "write within_limits: {verdict: ..., aspects: ...}"
+    if not isinstance(value, Mapping):
+        raise place.error("not a mapping", expected)
+    if set(value) - {"verdict", "aspects"}:
+        raise place.error("an unknown key", expected)
+    inside = parse_expectation(value, place)
+    return {f"{WITHIN}.{key}": found for key, found in inside.items()}
 
 
 def _count(value: object, place: Place) -> int:
