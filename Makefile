@@ -55,6 +55,7 @@ $(VENV)/installed: $(VENV)/bin/python pyproject.toml constraints.txt
 
 $(VENV)/installed-test: $(VENV)/installed
 	$(PIP) --editable ".[test,dev]"
+	$(PIP) --no-deps robosuite robosuite-models
 	@touch $@
 
 docs: $(VENV)/installed

@@ -9,22 +9,29 @@ from pathlib import Path
 
 from cuspaudit.robot.formats.dh.format import DH
 from cuspaudit.robot.formats.format import Format
+from cuspaudit.robot.formats.mjcf.format import MJCF
 from cuspaudit.robot.formats.urdf.format import URDF
 
 __all__ = ["FORMATS", "endings", "format_of", "is_recorded", "recorded_endings"]
 
-FORMATS: tuple[Format, ...] = (DH, URDF)
+FORMATS: tuple[Format, ...] = (DH, MJCF, URDF)
 
 
 def format_of(path: Path) -> Format | None:
-    """The format of a file, by the ending of its name; None for an unknown one."""
+    """The format of a file, by the ending of its name; None for an unknown one.
+
+    Of two formats with one ending the file's beginning chooses.
+    """
     ending = path.suffix.lower()
-    return next((known for known in FORMATS if ending in known.endings), None)
+    known = [each for each in FORMATS if ending in each.endings]
+    if len(known) > 1:
+        known = [each for each in known if each.is_robot(path)]
+    return known[0] if known else None
 
 
 def endings() -> tuple[str, ...]:
     """The endings of all robot files."""
-    return tuple(ending for known in FORMATS for ending in known.endings)
+    return tuple(dict.fromkeys(e for known in FORMATS for e in known.endings))
 
 
 def recorded_endings() -> tuple[str, ...]:

@@ -17,13 +17,20 @@ from cuspaudit.robot.library import open_robot
 from cuspaudit.robot.robot import Robot
 
 
-def test_an_ending_belongs_to_one_format() -> None:
-    """No two formats share an ending, and each is found whatever its case."""
+def test_an_ending_belongs_to_one_format(tmp_path: Path) -> None:
+    """No two formats share an ending but .xml, where the file's beginning chooses."""
     assert len(set(endings())) == len(endings())
     for known in FORMATS:
         assert set(known.recorded) <= set(known.endings)
         for ending in known.endings:
-            assert format_of(Path("arm" + ending.upper())) is known
+            if ending != ".xml":
+                assert format_of(Path("arm" + ending.upper())) is known
+    for name, beginning in (("MJCF", "<mujoco/>"), ("URDF", "<robot/>")):
+        file = tmp_path / "arm.XML"
+        file.write_text(beginning)
+        found = format_of(file)
+        assert found is not None
+        assert found.name == name
 
 
 def test_an_unknown_ending_is_told_the_known_ones(tmp_path: Path) -> None:

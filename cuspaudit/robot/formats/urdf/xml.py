@@ -15,7 +15,7 @@ from xml.parsers import expat
 
 from cuspaudit.robot.place import Place, quoted
 
-__all__ = ["JointElement", "RobotElement", "read_xml"]
+__all__ = ["JointElement", "RobotElement", "file_bytes", "read_xml"]
 
 _MOST_BYTES = 30_000_000
 _MOST_DEPTH = 100
@@ -23,7 +23,7 @@ _PARTS = {"parent", "child", "origin", "axis", "limit", "mimic"}
 _LEFT_BY_XACRO = {"property", "arg"}
 _ROOTS = {
     "html": ("a saved web page", "download the file itself"),
-    "mujoco": ("an MJCF model", "convert it to URDF"),
+    "mujoco": ("an MJCF model", "rename the file to end in .xml or .mjcf"),
     "sdf": ("an SDF model", "convert it to URDF"),
     "svg": ("a picture", "give the URDF"),
     "collada": ("a mesh", "give the URDF"),
@@ -82,10 +82,15 @@ def read_xml(path: Path, place: Place) -> RobotElement:
         InvalidRobotError: it is not a well-formed URDF, or it has a document type
             declaration, or two links or joints of one name.
     """
-    return _Reader(place).read(_bytes(path, place))
+    return _Reader(place).read(file_bytes(path, place))
 
 
-def _bytes(path: Path, place: Place) -> bytes:
+def file_bytes(path: Path, place: Place) -> bytes:
+    """The content of an XML file of at most 30 MB.
+
+    Raises:
+        InvalidRobotError: it cannot be read, or it is longer, or no such file.
+    """
     try:
         if path.is_dir() or (path.exists() and not path.is_file()):
             raise place.error("not a regular file", "give a URDF file")
