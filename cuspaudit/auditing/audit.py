@@ -13,13 +13,13 @@ from cuspaudit.auditing.crosscheck.compare import CrossCheck, crosscheck
 from cuspaudit.auditing.crosscheck.pinocchio_model import is_readable
 from cuspaudit.auditing.deciders.decide import decide
 from cuspaudit.auditing.deciders.registry import HAIR
-from cuspaudit.auditing.margin import margin_of
 from cuspaudit.auditing.options import Options
 from cuspaudit.auditing.record import Audit
 from cuspaudit.auditing.structure_certificate import structure_certificate
 from cuspaudit.auditing.structures import near_structures, why_undecided
 from cuspaudit.auditing.within_limits import within_limits
 from cuspaudit.auditing.witness import Witness
+from cuspaudit.certificate.margin import margin_of
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import (
     AssumptionError,

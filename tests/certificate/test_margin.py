@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from dataclasses import replace
 from fractions import Fraction
+from itertools import pairwise
 
 import numpy as np
 import pytest
 
 from cuspaudit.auditing.audit import Audit, audit
-from cuspaudit.auditing.margin import margin_of
+from cuspaudit.certificate.margin import margin_of
 from cuspaudit.robot.frames import jacobian
 from cuspaudit.robot.library import open_robot
 
@@ -25,9 +26,7 @@ def audits() -> dict[str, Audit]:
 def points(path: np.ndarray, count: int) -> np.ndarray:
     """Places of every segment."""
     steps = np.linspace(0, 1, count)[:, None]
-    return np.vstack(
-        [a + steps * (b - a) for a, b in zip(path, path[1:], strict=False)]
-    )
+    return np.vstack([a + steps * (b - a) for a, b in pairwise(path)])
 
 
 @pytest.mark.parametrize("name", NAMES)
