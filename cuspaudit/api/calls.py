@@ -35,6 +35,7 @@ def load(
     lock: Mapping[str, str] | None = None,
     convention: str | None = None,
     angle_unit: str | None = None,
+    length_unit: str | None = None,
 ) -> Robot:
     """The robot in a file, or of a name in the library.
 
@@ -49,6 +50,7 @@ def load(
             ``"pi/4"``, ``"30 deg"``, ``"0.1"`` for a slide.
         convention: ``standard`` or ``modified``, of a table that does not say.
         angle_unit: ``rad`` or ``deg``, of bare angles in a table that does not say.
+        length_unit: ``m`` or ``mm``, of a table that does not say.
 
     Raises:
         InvalidRobotError: no such robot, or it cannot be read, or its joints do not
@@ -65,6 +67,7 @@ def load(
         lock=held,
         convention=convention,
         angle_unit=angle_unit,
+        length_unit=length_unit,
     )
 
 
