@@ -15,7 +15,7 @@ BASE = {"errors", "count", "runtime"}
 GEOMETRY = BASE | {"algebra", "geometry"}
 DECISION = GEOMETRY | {"surface", "cuspidality"}
 MODEL = BASE | {"algebra", "robot", "kinematics"}
-AUDIT = DECISION | MODEL | {"certificate", "auditing"}
+AUDIT = DECISION | MODEL | {"certificate", "parallel", "auditing"}
 ALLOWED = {
     "errors": set(),
     "count": set(),
@@ -27,6 +27,7 @@ ALLOWED = {
     "certificate": {"errors"},
     "certificate_js": set(),
     "robot": BASE | {"algebra"},
+    "parallel": BASE | {"algebra", "robot"},
     "kinematics": MODEL,
     "auditing": AUDIT,
     "toolpath": AUDIT | {"toolpath"},
@@ -42,7 +43,7 @@ OWNERS = {
     "sympy": {"algebra"},
     "flint": {
         *("algebra", "geometry", "surface", "cuspidality"),
-        *("certificate", "robot", "kinematics", "family", "toolpath"),
+        *("certificate", "robot", "parallel", "kinematics", "family", "toolpath"),
     },
     "networkx": {"geometry", "surface"},
     "yourdfpy": {"robot"},

@@ -10,6 +10,7 @@ import typer
 
 from cuspaudit.cli.chains import audit_chains, check_alone
 from cuspaudit.cli.exit_codes import OF_VERDICT
+from cuspaudit.cli.mechanisms import audit_mechanism, mechanism_named, no_arm
 from cuspaudit.cli.opening import open_named
 from cuspaudit.cli.options import (
     AngleUnit,
@@ -89,6 +90,13 @@ def audit(
         files.append(Path(json_file or ""))
     for file in files:
         check_writable(file)
+    mechanism = mechanism_named(robot)
+    if mechanism is not None:
+        no_arm(
+            {"--base": base, "--tip": tip, "--task": task, "--lock": lock}
+            | {"--certificate": certificate, "--all": every}
+        )
+        audit_mechanism(mechanism, json_file, html, seed, timeout, exit_zero)
     if every:
         check_alone(
             {"--tip": tip, "--task": task, "--lock": lock}

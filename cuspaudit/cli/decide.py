@@ -17,7 +17,7 @@ from cuspaudit.cli.running import progress_bar
 from cuspaudit.cli.summary import COLOUR
 from cuspaudit.errors import AssumptionError
 
-__all__ = ["STEPS", "decide"]
+__all__ = ["STEPS", "decide", "print_decision"]
 
 #: of Algorithm 1, in the order of the paper
 STEPS = (
@@ -93,11 +93,12 @@ def decide(
     else:
         if json_file:
             write_text(Path(json_file), text)
-        _print(record, json_file)
+        print_decision(record, json_file)
     raise typer.Exit(0 if exit_zero else OF_VERDICT[record["verdict"]])
 
 
-def _print(record: dict[str, Any], json_file: str | None) -> None:
+def print_decision(record: dict[str, Any], json_file: str | None) -> None:
+    """The decision of a system for people."""
     table = Table.grid(padding=(0, 2))
     system, verdict, proof = record["system"], record["verdict"], record["proof"]
     rows: dict[str, Any] = {

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from cuspaudit.cli.families import Audits, Colour, Fix, Plane, X, Y, plot_family
+from cuspaudit.cli.mechanisms import mechanism_named, plot_mechanism
 from cuspaudit.cli.opening import open_named
 from cuspaudit.cli.options import (
     AngleUnit,
@@ -67,6 +68,8 @@ def plot(
     if Path(robot).is_dir():
         plane = Plane(x, y, colour, tuple(fix or ()))
         plot_family(Path(robot), output, plane, audits or [])
+    elif (mechanism := mechanism_named(robot)) is not None:
+        plot_mechanism(mechanism, output)
     else:
         opened = open_named(
             robot, base, tip, task, lock, convention, angle_unit, length_unit

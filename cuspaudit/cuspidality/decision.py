@@ -24,6 +24,7 @@ from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
 from itertools import combinations
+from math import comb
 from typing import Literal, Protocol
 
 import numpy as np
@@ -74,6 +75,8 @@ _UNLIMITED = 1e6
 _EXTRA = 4.0
 _BRIEF = 0.5
 _COUNTING = 10.0
+#: minors of jac f with which assumption (A) takes longer than to look for a couple
+_MANY_MINORS = 40
 _EXACT = ("FLINT resultants", "FLINT root isolation", "exact signs", "ball arithmetic")
 
 
@@ -173,12 +176,13 @@ def decide(
     steps = Steps(progress, timeout)
     try:
         with time_limit(timeout):
-            unable = _check(run, steps)
-            if engine == "auto" and not complete:
+            first = engine == "auto" and not complete
+            decided = _check(run, steps, first)
+            if first:
                 _couple_first(run, steps, seed)
             if run.verdict is Verdict.UNDECIDED:
-                if unable is not None:
-                    raise unable
+                if not decided:
+                    _check(run, steps, first=False)
                 values = _prepare(run, steps, seed)
                 if engine == "auto" and _are_parted(run):
                     _by_signs(run, steps, values, seed)
@@ -195,26 +199,30 @@ def decide(
     return run
 
 
-def _check(run: Decision, steps: Steps) -> UnableError | None:
-    """Steps 1 and 2: Delta, and assumption (A); why that was not decided, or None.
+def _check(run: Decision, steps: Steps, first: bool) -> bool:
+    """Steps 1 and 2: Delta, and whether assumption (A) was decided.
 
-    A couple is one without it when V is given by n - d equations.
+    A couple is one without it when V is given by n - d equations; so where a couple
+    is looked for ``first``, a check that promises to be long is put off.
     """
     variety, dimension = run.variety, run.mapping.dimension
     check_angles(variety, run.mapping)
     steps.begin("crit")
     run.minors = crit(variety, run.mapping)
     steps.begin("check_assumption_a")
-    unable = None
+    size = len(variety.ring.variables)
+    needless = first and variety.dimension == dimension
+    decided = not (needless and comb(size, dimension) > _MANY_MINORS)
     try:
-        check_assumption_a(variety, dimension)
-    except UnableError as limit:
-        if variety.dimension != dimension:
+        if decided:
+            check_assumption_a(variety, dimension)
+    except UnableError:
+        if not needless:
             raise
-        unable = limit
+        decided = False
     if not run.minors:
         raise DegenerateMapError("Delta vanishes identically: the map has no full rank")
-    return unable
+    return decided
 
 
 def _couple_first(run: Decision, steps: Steps, seed: int) -> None:

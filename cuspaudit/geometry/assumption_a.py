@@ -33,6 +33,7 @@ from cuspaudit.errors import (
     UnableError,
 )
 from cuspaudit.geometry.real_part import check_real_part
+from cuspaudit.runtime.clock import check_time
 
 __all__ = ["check_assumption_a"]
 
@@ -129,6 +130,7 @@ def _minors(ring: Ring, rows: list[list[Polynomial]], size: int) -> list[Polynom
     """The nonzero minors of one size, each once."""
     found: list[Polynomial] = []
     for chosen in combinations(rows, size):
+        check_time("check_assumption_a")
         for columns in combinations(range(len(ring.variables)), size):
             minor = determinant(ring, [[row[j] for j in columns] for row in chosen])
             if minor != 0 and minor not in found:
@@ -142,6 +144,7 @@ def _on_variety(
     """The normal forms, zeros and repetitions left out: the same functions on V."""
     found: list[Polynomial] = []
     for polynomial in polynomials:
+        check_time("check_assumption_a")
         rest = basis.normal_form(polynomial)
         if rest != 0 and rest not in found:
             found.append(rest)

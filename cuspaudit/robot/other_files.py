@@ -17,6 +17,7 @@ _KEYS = (
     ({"variables", "map"}, "a polynomial system", "cuspaudit decide"),
     ({"parameters", "robot"}, "a family of robots", "cuspaudit sweep -o DIR"),
     ({"parameters", "joints"}, "a family of robots", "cuspaudit sweep -o DIR"),
+    ({"legs"}, "a parallel mechanism", "cuspaudit audit"),
     ({"joints"}, "a robot", "cuspaudit audit"),
 )
 

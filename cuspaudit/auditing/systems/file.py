@@ -20,11 +20,13 @@ from cuspaudit.algebra.polynomial_text import VARIABLE, parse_polynomial
 from cuspaudit.algebra.ring import Polynomial, Ring
 from cuspaudit.algebra.system import PolynomialMap, PolynomialSystem
 from cuspaudit.errors import InvalidRobotError, InvalidSystemError
+from cuspaudit.parallel.equations import Loops, loops
+from cuspaudit.parallel.reading import is_mechanism, mechanism_from_entries
 from cuspaudit.robot.other_files import check_kind
 from cuspaudit.robot.place import Place, listing, quoted
 from cuspaudit.robot.tables import read_mapping
 
-__all__ = ["SystemFile", "read_system", "system_from_entries"]
+__all__ = ["SystemFile", "read_system", "system_from_entries", "system_of"]
 
 _KEYS = ("variables", "equations", "map", "name", "title", "source", "expect")
 _WORDS = ("name", "title", "source")
@@ -42,6 +44,7 @@ class SystemFile:
         variety: V = {f = 0}.
         mapping: R.
         expect: what the file records about the answer.
+        loops: the mechanism whose equations they are, or None.
     """
 
     file: str
@@ -49,6 +52,7 @@ class SystemFile:
     variety: PolynomialSystem
     mapping: PolynomialMap
     expect: Mapping[str, str]
+    loops: Loops | None = None
 
 
 def read_system(path: Path) -> SystemFile:
@@ -66,7 +70,17 @@ def read_system(path: Path) -> SystemFile:
             found=error.found,
             expected=error.expected,
         ) from None
+    if is_mechanism(entries):
+        return system_of(loops(mechanism_from_entries(str(path), entries)))
     return system_from_entries(str(path), entries)
+
+
+def system_of(found: Loops) -> SystemFile:
+    """The equations of a mechanism as a system of the same file."""
+    own = found.mechanism
+    return SystemFile(
+        own.file, own.name, found.variety, found.mapping, own.expect, found
+    )
 
 
 def system_from_entries(file: str, entries: Mapping[str, object]) -> SystemFile:
