@@ -112,20 +112,21 @@ export class Arm {
     return AXES.map((i) => plus(m[i], swing[i]));
   }
 
-  /** det J, a jet: of 3 joints (position), 4 (position and angle) or 6 (pose). */
-  determinant(q) {
+  determinant(q) { return this.det(this.columns(q)); }
+
+  /** The columns of J: of 3 joints (position), 4 (position and angle) or 6 (pose). */
+  columns(q) {
     const count = this.joints.length;
     const link = count === 6 ? 3 : count === 3 ? 1 : 0;
     const { screws, tip } = this.outward(link, q);
     const all = [...this.inward(link, q), ...screws];
-    if (count === 6) return this.det(all.map(({ w, m }) => [...m, ...w]));
+    if (count === 6) return all.map(({ w, m }) => [...m, ...w]);
     const columns = all.map((screw) => this.velocity(screw, tip.p));
     if (count === 4) {
       const last = all[this.joints.map((joint) => joint.turns).lastIndexOf(true)];
-      if (!last) return [];
-      columns.forEach((column, k) => column.push(this.dot(all[k].w, last.w)));
+      columns.forEach((column, k) => column.push(last ? this.dot(all[k].w, last.w) : []));
     }
-    return this.det(columns);
+    return columns;
   }
 
   /** Determinant of a matrix by columns: minors of the first k columns, by sets of rows. */

@@ -13,7 +13,7 @@ __all__ = ["checker_script"]
 
 MODULES = (
     *("rational", "json", "certificate", "interval", "jet", "arm"),
-    *("path", "structure", "pairs", "check"),
+    *("path", "structure", "pairs", "cusp", "check"),
 )
 """Each after those that it imports."""
 

@@ -9,6 +9,7 @@ const SECOND = "cuspaudit/certificate/2";
 const OPTIONAL = ["numbers", "limits", "tolerance"];
 const KINDS = {
   path: ["sign", "postures", "path"],
+  cusp: ["posture"],
   pairs: ["parting", "regular"],
   structure: ["theorem", "relations", "regular"],
 };
@@ -29,6 +30,7 @@ export function readCertificate(text) {
   const count = robot.joints.length;
   const found = { kind, robot, ...readOptions(top, count) };
   if (kind === "path") return { ...found, ...readPath(top, robot) };
+  if (kind === "cusp") return { ...found, posture: row(top.posture, count, "posture") };
   if (kind === "pairs") return { ...found, ...readPairs(top, robot) };
   return { ...found, ...readStructure(top, count) };
 }

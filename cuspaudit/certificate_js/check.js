@@ -2,6 +2,7 @@
 // Written from docs/certificate.md. It needs nothing but the language, in Node or a browser.
 
 import { readCertificate } from "./certificate.js";
+import { proveCusp } from "./cusp.js";
 import { provePairs } from "./pairs.js";
 import { provePath } from "./path.js";
 import { Refusal } from "./rational.js";
@@ -21,6 +22,6 @@ export function checkCertificate(text) {
 function prove(certificate) {
   // a noncuspidal robot is noncuspidal within any limits: only yes has to be inside
   if (certificate.tolerance) throw new Refusal("a claim over a tolerance is not checked here");
-  const proofs = { path: provePath, pairs: provePairs, structure: proveStructure };
+  const proofs = { path: provePath, cusp: proveCusp, pairs: provePairs, structure: proveStructure };
   return proofs[certificate.kind](certificate);
 }

@@ -157,12 +157,8 @@ function atPoint(c) {
 }
 
 function turnedByQuarters([sine, cosine], quarters) {
-  switch (((quarters % 4) + 4) % 4) {
-    case 0: return [sine, cosine];
-    case 1: return [cosine, negated(sine)];
-    case 2: return [negated(sine), negated(cosine)];
-    default: return [negated(cosine), sine];
-  }
+  const cycle = [sine, cosine, negated(sine), negated(cosine)], k = ((quarters % 4) + 4) % 4;
+  return [cycle[k], cycle[(k + 1) % 4]];
 }
 
 /** Sine and cosine of halfTurns pi + radians; exact at right angles. */

@@ -31,6 +31,7 @@ export function times(f, g, terms) {
 export function trigonometric(jet, terms) {
   const [a, b] = [jet[0] ?? interval(0), jet[1] ?? interval(0)];
   const [s, c] = sineAndCosine(a);
+  if (jet.length > 2) return toSecondOrder(s, c, b, jet[2]);
   const cycle = [s, c, negated(s), negated(c)];
   const [sine, cosine] = [[], []];
   let factor = interval(1);
@@ -40,4 +41,13 @@ export function trigonometric(jet, terms) {
     factor = quotient(product(factor, b), interval(k + 1));
   }
   return [sine, cosine];
+}
+
+/** Sine and cosine of a + b t + d t^2, three terms each. */
+function toSecondOrder(s, c, b, d) {
+  const half = product(product(b, b), interval(0.5));
+  return [
+    [s, product(c, b), sum(product(c, d), negated(product(s, half)))],
+    [c, negated(product(s, b)), negated(sum(product(s, d), product(c, half)))],
+  ];
 }
