@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
 from functools import reduce as fold
+from operator import mul
 
 from flint import Ordering, arb, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
@@ -153,3 +154,7 @@ class Ring:
     def total(self, polynomials: Iterable[Polynomial]) -> Polynomial:
         """The sum of ``polynomials``."""
         return fold(lambda a, b: a + b, polynomials, self.constant(0))
+
+    def dot(self, a: Sequence[Polynomial], b: Sequence[Polynomial]) -> Polynomial:
+        """The inner product of two columns, reduced."""
+        return self.reduce(self.total(map(mul, a, b)))

@@ -11,7 +11,7 @@ from cuspaudit.errors import NoAngleError, UnableError
 from cuspaudit.kinematics.determinant import jacobian_determinant
 from cuspaudit.kinematics.exact_model import ExactModel, exact_model
 from cuspaudit.kinematics.export import factor_texts
-from cuspaudit.kinematics.polynomial_map import circles, place
+from cuspaudit.kinematics.polynomial_map import place
 from cuspaudit.robot.chain import Angle, Motion
 from cuspaudit.robot.formats.motion_text import format_motion, format_vector
 from cuspaudit.robot.numbers import format_angle, format_rational
@@ -72,7 +72,7 @@ def import_record(robot: Robot, policy: SnapPolicy = DEFAULT_POLICY) -> dict[str
 def _map(model: ExactModel) -> dict[str, Any]:
     entries: dict[str, Any] = {
         "ring": repr(model.ring),
-        "f": [str(p) for p in circles(model.ring, model.joints)],
+        "f": [str(p) for p in model.equations],
         "R": [],
         "determinant": None,
         "factors": [],

@@ -10,7 +10,7 @@ from cuspaudit.algebra.trigonometric import factor_on_circles
 from cuspaudit.errors import UnableError
 from cuspaudit.kinematics.exact_model import ExactJoint, ExactModel
 from cuspaudit.kinematics.fact import fact
-from cuspaudit.kinematics.polynomial_map import reduce_circles
+from cuspaudit.kinematics.polynomial_map import on_circles
 from cuspaudit.kinematics.transform import Column, Transform, cross, dot, identity, zero
 from cuspaudit.robot.task import DIMENSIONS
 
@@ -35,7 +35,7 @@ def jacobian_determinant(model: ExactModel) -> Polynomial:
     if count != DIMENSIONS[task]:
         raise UnableError("det J", f"{count} joints for a {task} task")
     build = _pose_determinant if task == "pose" else _point_determinant
-    return reduce_circles(model.ring, model.joints, build(model))
+    return on_circles(model, build(model))
 
 
 @fact
@@ -92,11 +92,7 @@ def _pose_determinant(model: ExactModel) -> Polynomial:
         sign = (-1) ** (sum(rows) + sum(range(3)))
         first = determinant(ring, [[column[row] for column in inner] for row in rows])
         last = determinant(ring, [[column[row] for column in outer] for row in rest])
-        total += (
-            sign
-            * reduce_circles(model.ring, model.joints, first)
-            * reduce_circles(model.ring, model.joints, last)
-        )
+        total += sign * on_circles(model, first) * on_circles(model, last)
     return total
 
 

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 
 from cuspaudit.algebra.ring import Polynomial
 from cuspaudit.kinematics.exact_model import ExactModel
-from cuspaudit.kinematics.polynomial_map import reduce_circles
+from cuspaudit.kinematics.polynomial_map import on_circles
 from cuspaudit.kinematics.transform import (
     Column,
     Transform,
@@ -71,5 +71,5 @@ def _seen(model: ExactModel, i: int, j: int) -> tuple[Column, Column]:
 
 def _vanish(model: ExactModel, entries: Sequence[Polynomial]) -> bool:
     """Whether polynomials are 0 wherever the joints may stand."""
-    reduced = (reduce_circles(model.ring, model.joints, entry) for entry in entries)
+    reduced = (on_circles(model, entry) for entry in entries)
     return all(entry == 0 for entry in reduced)

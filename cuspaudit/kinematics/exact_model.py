@@ -18,7 +18,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from cuspaudit.algebra.ring import Ring
+from cuspaudit.algebra.ring import Polynomial, Ring
 from cuspaudit.errors import UnableError
 from cuspaudit.kinematics.directions import cos_sin, unit_vector
 from cuspaudit.kinematics.transform import (
@@ -115,6 +115,12 @@ class ExactModel:
         """The variables (c_i, s_i) of the revolute joints, base to tip."""
         turning = (joint for joint in self.joints if joint.kind == "revolute")
         return [(joint.variables[0], joint.variables[1]) for joint in turning]
+
+    @cached_property
+    def equations(self) -> tuple[Polynomial, ...]:
+        """The equation c^2 + s^2 - 1 of each revolute joint, base to tip."""
+        gen = self.ring.gen
+        return tuple(gen(c) ** 2 + gen(s) ** 2 - 1 for c, s in self.circles)
 
     @cached_property
     def zeros(self) -> NDArray[np.float64]:

@@ -12,7 +12,7 @@ from cuspaudit.algebra.ring import Polynomial, Ring
 from cuspaudit.errors import UnableError
 from cuspaudit.kinematics.determinant import determinant_factors, jacobian_determinant
 from cuspaudit.kinematics.exact_model import ExactModel
-from cuspaudit.kinematics.polynomial_map import circles, place
+from cuspaudit.kinematics.polynomial_map import place
 from cuspaudit.robot.numbers import format_angle
 from cuspaudit.robot.task import DIMENSIONS
 from cuspaudit.robot.virtual_joint import without_virtual_joint
@@ -75,7 +75,7 @@ def inverse_kinematics(model: ExactModel, seed: int = 0) -> InverseKinematics:
     at += [ring.surd] if ring.radicand else []
     reached = (ring.reduce(r.compose(*at, ctx=ring.context)) for r in components)
     rest = (r - p for r, p in zip(components, reached, strict=True))
-    return InverseKinematics(ring, (*circles(ring, model.joints), *rest), posture)
+    return InverseKinematics(ring, (*model.equations, *rest), posture)
 
 
 def msolve_system(model: ExactModel, seed: int = 0) -> str:
@@ -103,7 +103,7 @@ def _lines(model: ExactModel) -> Iterator[str]:
     for approximation in model.approximations:
         yield f"# {approximation.where}: within {approximation.difference:g} rad"
     yield "f"
-    yield from (f"  {p} = 0" for p in circles(model.ring, model.joints))
+    yield from (f"  {p} = 0" for p in model.equations)
     yield "R"
     entries = [f"r{i}{j}" for i in (1, 2, 3) for j in (1, 2, 3)]
     turning = {"pose": entries, "position-and-angle": ["cos", "sin"]}

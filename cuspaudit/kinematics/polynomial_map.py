@@ -19,6 +19,7 @@ from cuspaudit.kinematics.transform import Column, Transform, cross, dot
 __all__ = [
     "KinematicMap",
     "across_axis",
+    "on_circles",
     "place",
     "polynomial_map",
     "reduce_circles",
@@ -55,9 +56,9 @@ def polynomial_map(model: ExactModel) -> KinematicMap:
     placed = placed @ model.tool
     entries = [entry for row in placed.rotation for entry in row]
     return KinematicMap(
-        PolynomialSystem(ring, circles(ring, model.joints)),
-        PolynomialMap(ring, tuple(_on_circles(model, p) for p in placed.translation)),
-        PolynomialMap(ring, tuple(_on_circles(model, p) for p in entries)),
+        PolynomialSystem(ring, model.equations),
+        PolynomialMap(ring, tuple(on_circles(model, p) for p in placed.translation)),
+        PolynomialMap(ring, tuple(on_circles(model, p) for p in entries)),
     )
 
 
@@ -75,7 +76,7 @@ def place(model: ExactModel) -> tuple[Polynomial, ...]:
     if model.chain.task == "pose":
         return found.position.components + found.rotation.components
     if model.chain.task == "position-and-angle":
-        angle = (_on_circles(model, p) for p in cos_sin_angle(model))
+        angle = (on_circles(model, p) for p in cos_sin_angle(model))
         return (*found.position.components, *angle)
     return found.position.components
 
@@ -168,5 +169,8 @@ def _origin(ring: Ring) -> Column:
     return tuple(ring.constant(0) for _ in range(3))
 
 
-def _on_circles(model: ExactModel, polynomial: Polynomial) -> Polynomial:
-    return reduce_circles(model.ring, model.joints, polynomial)
+def on_circles(model: ExactModel, polynomial: Polynomial) -> Polynomial:
+    """The representative of degree at most 1 in each cosine, on V the same function."""
+    for circle in model.equations:
+        polynomial = divmod(polynomial, circle)[1]
+    return model.ring.reduce(polynomial)

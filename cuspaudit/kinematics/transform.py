@@ -49,7 +49,9 @@ class Transform:
 
     def turn(self, direction: Column) -> Column:
         """The image of a direction."""
-        return tuple(dot(self.ring, row, direction) for row in self.rotation)
+        dot = self.ring.dot
+        first, second, third = self.rotation
+        return (dot(first, direction), dot(second, direction), dot(third, direction))
 
     def apply(self, point: Column) -> Column:
         """The image of a point."""
@@ -65,7 +67,7 @@ class Transform:
 
 def dot(ring: Ring, a: Column, b: Column) -> Polynomial:
     """The inner product, reduced in the field."""
-    return ring.reduce(ring.total(x * y for x, y in zip(a, b, strict=True)))
+    return ring.dot(a, b)
 
 
 def cross(ring: Ring, a: Column, b: Column) -> Column:

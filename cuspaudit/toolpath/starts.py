@@ -20,7 +20,7 @@ from cuspaudit.algebra.zero_dimensional import solve_zero_dimensional
 from cuspaudit.errors import NotZeroDimensionalError, RetryableError, UnableError
 from cuspaudit.kinematics.determinant import jacobian_determinant
 from cuspaudit.kinematics.exact_model import ExactModel
-from cuspaudit.kinematics.polynomial_map import circles, place
+from cuspaudit.kinematics.polynomial_map import place
 from cuspaudit.kinematics.postures.exact import (
     exact_postures_of,
     posture_sign,
@@ -100,7 +100,7 @@ def _exact(arm: TracedArm, pose: Pose, seed: int) -> ZeroDimensionalParametrizat
     if arm.signs is not None:
         values += arm.cos_sin_of_angle(pose)
     equations = [
-        *circles(model.ring, model.joints),
+        *model.equations,
         *(p - v for p, v in zip(place(model), values, strict=True)),
     ]
     return _solved(model, equations, seed)
