@@ -1,5 +1,6 @@
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
@@ -13,13 +14,17 @@ from short_tables import arm, shift, with_wrist
 from cuspaudit.kinematics.exact_model import exact_model
 from cuspaudit.kinematics.nearest.concurrent import concurrent
 from cuspaudit.kinematics.nearest.links import Link, links_of, reach_of
-from cuspaudit.kinematics.nearest.meeting import PREFERRED
+from cuspaudit.kinematics.nearest.meeting import (
+    PREFERRED,
+    meeting,
+    square_and_meeting,
+)
 from cuspaudit.kinematics.nearest.nearest_structures import (
     NearStructure,
     nearest_structures,
 )
 from cuspaudit.kinematics.theorems.registry import reduction_of
-from cuspaudit.robot.chain import Chain
+from cuspaudit.robot.chain import Chain, reverse
 from cuspaudit.robot.formats.read_robot import read_robot
 from cuspaudit.robot.library import open_robot
 
@@ -148,6 +153,27 @@ def test_no_arm_is_farther_than_where_it_came_from(
     assert 0 < found.size <= float(hair) * PREFERRED * 1.01
 
 
+@pytest.mark.parametrize("name", ["puma-560", "abb-irb-120", "kuka-kr-6-r900"])
+@pytest.mark.parametrize("kind", ["spherical wrist", "spherical shoulder"])
+def test_the_rest_of_the_arm_stays(name: str, kind: str) -> None:
+    """Mend the wrist of a moved arm, and all its links are the old ones to a hair."""
+    chain = open_robot(name).chain
+    if kind == "spherical shoulder":
+        chain = reverse(chain)
+    hair = Fraction(1, 10000)
+    found = near(moved(chain, 1, hair, hair))[kind]
+    assert not found.holds
+    mended = links_of(found.model.chain)
+    for link, other in zip(links_of(chain), mended, strict=True):
+        assert measures(link) == pytest.approx(measures(other), abs=5e-3)
+
+
+def measures(link: Link) -> list[float]:
+    """The angle of the axes and where the step stands to them."""
+    u, v, w = link.axis, link.step, link.next
+    return [float(x) for x in (u @ w, u @ v, w @ v, v @ v, np.cross(u, w) @ v)]
+
+
 def test_parallel_axes_have_no_wrist_near_by() -> None:
     """Axes that are parallel meet in one point after no small move: nothing is said."""
     assert "spherical shoulder" not in near(open_robot("ur5").chain)
@@ -181,6 +207,57 @@ def _tilted(axis: np.ndarray, b: np.ndarray) -> np.ndarray:
     return np.cos(angle) * axis + np.sin(angle) * turn / angle
 
 
+@pytest.mark.parametrize("seed", range(3))
+@pytest.mark.parametrize("square", [False, True])
+def test_a_general_optimizer_finds_no_nearer_meeting(seed: int, square: bool) -> None:
+    """Two axes far from their places: tilts help, and no mixture is much better."""
+    rng = np.random.default_rng(seed)
+    axis, following, step = (x / np.linalg.norm(x) for x in rng.normal(size=(3, 3)))
+    link, reach = Link(axis, step, following), 1.5
+    ours = (square_and_meeting if square else meeting)(link, reach)
+    found = ours.link
+    assert abs(np.cross(found.axis, found.next) @ found.step) < 1e-12
+    assert np.linalg.norm(found.step - step) == pytest.approx(ours.length)
+    assert found.next @ following == pytest.approx(np.cos(ours.angle))
+    assert not square or abs(found.axis @ found.next) < 1e-12
+
+    def meets(x: np.ndarray) -> np.ndarray:
+        tilted = _tilted(following, x[4:6])
+        out = np.cross(axis, tilted) @ (step + reach * x[1:4])
+        return np.array([out, axis @ tilted] if square else [out])
+
+    least = _least(6, meets, [slice(1, 4), slice(4, 6)], rng)
+    assert least * 0.999 <= ours.size(reach) <= least * PREFERRED * 1.001
+
+
+def _least(
+    size: int,
+    meets: Callable[[np.ndarray], np.ndarray],
+    parts: list[slice],
+    rng: np.random.Generator,
+) -> float:
+    """The least x[0] that bounds all parts of an x for which ``meets`` is 0."""
+
+    def room(x: np.ndarray) -> np.ndarray:
+        return np.array([x[0] ** 2 - x[part] @ x[part] for part in parts])
+
+    results = (
+        minimize(
+            lambda x: x[0],
+            np.r_[1.0, start[1:]],
+            constraints=[
+                {"type": "eq", "fun": meets},
+                {"type": "ineq", "fun": room},
+                {"type": "ineq", "fun": lambda x: x[0]},
+            ],
+            method="SLSQP",
+            options={"maxiter": 300},
+        )
+        for start in rng.uniform(-0.3, 0.3, (4, size))
+    )
+    return min(float(found.fun) for found in results if found.success)
+
+
 @pytest.mark.parametrize("seed", range(2))
 def test_a_general_optimizer_finds_no_nearer_point(seed: int) -> None:
     """Sequential quadratic programs over all shifts and tilts come no nearer."""
@@ -203,27 +280,8 @@ def test_a_general_optimizer_finds_no_nearer_point(seed: int) -> None:
             second.step + reach * x[6:9] + x[13] * last - x[11] * second.axis,
         ]
 
-    def room(x: np.ndarray) -> np.ndarray:
-        parts = (x[1:4], x[4:6], x[6:9], x[9:11])
-        return np.array([x[0] ** 2 - part @ part for part in parts])
-
-    least = min(
-        found.fun
-        for start in rng.uniform(-0.3, 0.3, (4, 14))
-        if (
-            found := minimize(
-                lambda x: x[0],
-                np.r_[1.0, start[1:]],
-                constraints=[
-                    {"type": "eq", "fun": meets},
-                    {"type": "ineq", "fun": room},
-                    {"type": "ineq", "fun": lambda x: x[0]},
-                ],
-                method="SLSQP",
-                options={"maxiter": 300},
-            )
-        ).success
-    )
+    parts = [slice(1, 4), slice(4, 6), slice(6, 9), slice(9, 11)]
+    least = _least(14, meets, parts, rng)
     assert least * 0.999 <= ours.size(reach) <= least * PREFERRED * 1.001
 
 
