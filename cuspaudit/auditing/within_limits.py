@@ -35,27 +35,17 @@ from cuspaudit.auditing.cusp_witness import CuspWitness, find_cusps, same_cusp
 from cuspaudit.auditing.joint_limits import (
     has_limits,
     interval_of,
-    ranges_of,
     rational_limits,
-    width_of,
 )
 from cuspaudit.auditing.search.around_cusp import paths_around, slack_of
 from cuspaudit.auditing.search.lift import close
+from cuspaudit.auditing.three_in_box import ThreeInBox, aspects_in_box, decide_three
 from cuspaudit.auditing.witness import Witness, certified
 from cuspaudit.count import Count
-from cuspaudit.cuspidality.box_decision import decide_box
-from cuspaudit.cuspidality.box_values import decide_box_by_values
-from cuspaudit.cuspidality.surface_decision import oriented
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import RetryableError, UnableError
-from cuspaudit.kinematics.exact_model import ExactModel
-from cuspaudit.kinematics.polynomial_map import reduced_map
-from cuspaudit.kinematics.tip_circles import tip_circles
 from cuspaudit.robot.chain import Chain
 from cuspaudit.runtime.clock import Clock
-from cuspaudit.surface.box_aspects import box_aspects, charted_box, of_factors
-from cuspaudit.surface.box_stability import count_between
-from cuspaudit.surface.first_joint import FirstJoint
 
 __all__ = ["FreeWitness", "WithinLimits", "within_limits"]
 
@@ -124,6 +114,7 @@ class WithinLimits:
                 "proved": counted.proved,
             },
             "witness": self._witness(certificate),
+            "cuts": None,
             "of_the_free_witness": None
             if self.free is None
             else {"inside": self.free.inside, "leaves": self.free.leaves},
@@ -165,7 +156,7 @@ def within_limits(
     nothing = WithinLimits(
         Verdict.UNDECIDED, "", "none", (), joints, free=_free(found.witness)
     )
-    nothing = replace(nothing, aspects=_aspects(found.model))
+    nothing = replace(nothing, aspects=aspects_in_box(found.model))
     if found.verdict is Verdict.NONCUSPIDAL:
         return replace(
             nothing,
@@ -262,13 +253,13 @@ def _limited(path: Array, chain: Chain) -> Witness | None:
 def _exactly(nothing: WithinLimits, found: Answer, clock: Clock) -> WithinLimits | None:
     """What the exact routes for three joints say, of the arm or of its first three."""
     if found.model.chain.task == "position":
-        return _three(nothing, found.model, clock)
+        return _of_three(nothing, decide_three(found.model, clock))
     reduction = found.reduction
     if reduction is None or reduction.regional is None:
         return None
     if reduction.kind not in _WRISTS:
         return None
-    three = _three(nothing, reduction.regional, clock)
+    three = _of_three(nothing, decide_three(reduction.regional, clock))
     if three.verdict is not Verdict.NONCUSPIDAL:
         return None
     why = (
@@ -278,80 +269,16 @@ def _exactly(nothing: WithinLimits, found: Answer, clock: Clock) -> WithinLimits
     return replace(three, why=why, kind="reduction", aspects=nothing.aspects)
 
 
-def _three(nothing: WithinLimits, model: ExactModel, clock: Clock) -> WithinLimits:
-    first, second, third = ranges_of(model)
-    variety, mapping = reduced_map(model)
-    if model.joints[1].kind == "revolute":
-        joint = None
-        if first is not None:
-            joint = _first_joint(model, width_of(first))
-        box = decide_box(variety, mapping, (second, third), joint, clock.step)
-        verdict, aspects = box.verdict, box.aspects
-        why = (
-            f"of {box.pairs} pairs of postures of one pose, one in every cell between "
-            f"the walls of the limits, {len(box.couples) or 'none'} lie in one aspect "
-            "of the box"
-        )
-    else:
-        values = decide_box_by_values(variety, mapping, (second, third), clock.step)
-        verdict, aspects = values.verdict, values.aspects
-        why = (
-            f"of {values.samples} sample values, one in every cell between critical "
-            f"values and images of the limits, {len(values.couples) or 'none'} have "
-            "two postures in one aspect of the box"
-        )
-        if verdict is Verdict.CUSPIDAL and first is not None:
-            verdict = Verdict.UNDECIDED
-            why += "; whether joint 1 can follow within its limits was not decided"
-    kind = "none" if verdict is Verdict.UNDECIDED else "exact"
-    if not model.is_exact:
-        why += "; for a model whose angles and axes are rational, within 1e-12"
+def _of_three(nothing: WithinLimits, box: ThreeInBox) -> WithinLimits:
+    decided = box.verdict is not Verdict.UNDECIDED
     return replace(
         nothing,
-        verdict=verdict,
-        why=why,
-        kind=kind,
-        rests_on=_EXACT if kind == "exact" else (),
-        aspects=_of_model(aspects, model),
+        verdict=box.verdict,
+        why=box.why,
+        kind="exact" if decided else "none",
+        rests_on=_EXACT if decided else (),
+        aspects=box.aspects,
     )
-
-
-def _of_model(count: Count, model: ExactModel) -> Count:
-    """Proved for the arm only where the model is the arm exactly."""
-    return Count(count.count, count.proved and model.is_exact)
-
-
-def _first_joint(model: ExactModel, width: Any) -> FirstJoint:
-    circles = tip_circles(model)
-    return FirstJoint(
-        "circle" if model.joints[0].kind == "revolute" else "line",
-        circles.axis,
-        circles.second,
-        circles.origin,
-        circles.height,
-        circles.square,
-        circles.across,
-        width,
-    )
-
-
-def _aspects(model: ExactModel) -> Count | None:
-    """The aspects of three joints in their box; None for other arms, or out of reach.
-
-    Joint 1 moves no det J, and the box is a product: its range does not matter.
-    """
-    if model.chain.task != "position":
-        return None
-    try:
-        _, second, third = ranges_of(model)
-        surface, delta = oriented(*reduced_map(model))
-        ranges = of_factors(surface, (second, third))
-        surface, outer, inner = charted_box(surface, delta, ranges)
-        wide = box_aspects(surface, delta, outer)
-        narrow = None if inner is None else box_aspects(surface, delta, inner)
-        return _of_model(count_between(wide, narrow), model)
-    except (UnableError, RetryableError):
-        return None
 
 
 def _free(witness: Witness | None) -> FreeWitness | None:

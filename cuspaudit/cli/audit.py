@@ -115,8 +115,11 @@ def audit(
     if certificate:
         write_text(certificate, proof or proof_record(result.answer))
     if html:
+        from cuspaudit.auditing.limit_cuts import cuts_of
         from cuspaudit.pictures.page import page_text
 
+        if result.within is not None:
+            record["limits"]["cuts"] = cuts_of(result)
         inside = result.within is not None and result.within.witness is not None
         shown = certificate_text(result, within=True) if inside else proof
         write_text(html, page_text(record, result, shown))

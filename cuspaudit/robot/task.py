@@ -31,6 +31,7 @@ __all__ = [
 ]
 
 _TURN = 2 * math.pi
+_DEFAULTS = (math.pi / 2, math.pi)
 
 DIMENSIONS: dict[Task, int] = {
     "position": 3,
@@ -78,7 +79,23 @@ def check_limits(chain: Chain, place: Place) -> list[str]:
         if joint.kind == "revolute" and max(-lower, upper) > 2 * _TURN:
             reach = f"[{lower:g}, {upper:g}] rad"
             notes.append(f"{joint.name} limits {reach}: more than two turns, or deg?")
-    return notes
+    return notes + _placeholder_notes(chain)
+
+
+def _placeholder_notes(chain: Chain) -> list[str]:
+    """A remark where all joints that turn have one range that exporters fill in."""
+    turning = [joint.limits for joint in chain.joints if joint.kind == "revolute"]
+    ranges = {tuple(map(_value, pair)) for pair in turning if pair is not None}
+    if len(turning) < 3 or None in turning or len(ranges) != 1:
+        return []
+    [(lower, upper)] = ranges
+    default = any(math.isclose(upper, x, abs_tol=0.01) for x in _DEFAULTS)
+    if lower != -upper or not default:
+        return []
+    return [
+        f"every joint has the range [{lower:g}, {upper:g}] rad: an exporter's default? "
+        "The verdict within limits takes it as it stands"
+    ]
 
 
 def lock(chain: Chain, values: Mapping[str, Angle | Fraction | str]) -> Chain:

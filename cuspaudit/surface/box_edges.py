@@ -22,7 +22,7 @@ from cuspaudit.algebra.rationals import exact_rational, simplest_between
 from cuspaudit.errors import RetryableError
 from cuspaudit.surface.surface import Factor
 
-__all__ = ["Edge", "Limit", "Range", "edge_of"]
+__all__ = ["Edge", "Limit", "Range", "edge_of", "is_over_half_turn"]
 
 ZERO = fmpq(0)
 _BITS = 256
@@ -113,6 +113,15 @@ def start_of(factor: Factor) -> arb:
     """The angle of chart coordinate 0 of a circle, in (-pi, pi]."""
     c, s = factor.rotation
     return 2 * arb(s / (1 + c)).atan() if c != -1 else arb.pi()
+
+
+def is_over_half_turn(width: Limit) -> bool:
+    """Whether a range of this length is proved to be longer than half a turn."""
+    saved, ctx.prec = ctx.prec, _BITS
+    try:
+        return bool(width.ball(_BITS) > arb.pi())
+    finally:
+        ctx.prec = saved
 
 
 def edge_of(limit: Limit, factor: Factor, up: bool) -> Edge:

@@ -9,7 +9,14 @@ from typing import Any
 
 from cuspaudit.viz.page_rows import VERDICTS, number, part
 
-__all__ = ["LimitRow", "LimitWords", "limit_rows", "limit_words"]
+__all__ = [
+    "CutRow",
+    "LimitRow",
+    "LimitWords",
+    "cut_rows",
+    "limit_rows",
+    "limit_words",
+]
 
 Audit = Mapping[str, Any]
 
@@ -35,6 +42,15 @@ class LimitRow:
     least: str
     most: str
     room: str
+
+
+@dataclass(frozen=True, slots=True)
+class CutRow:
+    """What scaling one joint's range does."""
+
+    joint: str
+    least: str
+    most: str
 
 
 def limit_words(audit: Audit) -> LimitWords | None:
@@ -75,6 +91,19 @@ def limit_rows(audit: Audit) -> list[LimitRow]:
         turns = k >= len(kinds) or kinds[k] == "revolute"
         rows.append(_row(joint, [row[k] for row in path or []], turns))
     return rows
+
+
+def cut_rows(audit: Audit) -> list[CutRow]:
+    """A row for each joint whose range was scaled."""
+    found = []
+    for cut in part(audit, "limits").get("cuts") or []:
+        least, most = cut.get("noncuspidal_to"), cut.get("cuspidal_from")
+        found.append(CutRow(str(cut.get("joint")), _share(least), _share(most)))
+    return found
+
+
+def _share(scale: float | None) -> str:
+    return "–" if scale is None else f"{100 * scale:.0f} %"
 
 
 def _row(joint: Mapping[str, Any], column: Sequence[float], turns: bool) -> LimitRow:

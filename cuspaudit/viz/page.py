@@ -18,7 +18,7 @@ from typing import Any
 from markupsafe import Markup
 
 from cuspaudit.certificate_js import checker_script
-from cuspaudit.viz.limit_rows import limit_rows, limit_words
+from cuspaudit.viz.limit_rows import cut_rows, limit_rows, limit_words
 from cuspaudit.viz.offline import asset, environment, policy
 from cuspaudit.viz.page_rows import (
     counts,
@@ -71,6 +71,7 @@ def render_page(
             structures=structure_rows(audit),
             limits=limit_words(audit),
             limit_rows=limit_rows(audit),
+            cuts=cut_rows(audit),
             postures=posture_rows(audit, scene),
             no_path=no_path_reason(audit),
             certificate=_certificate(audit, certificate),

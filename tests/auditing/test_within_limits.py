@@ -17,7 +17,9 @@ from cuspaudit.auditing.certificates import certificate_text
 from cuspaudit.certificate import certificate_from_text, verify
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.robot.chain import Chain
+from cuspaudit.robot.place import Place
 from cuspaudit.robot.robot import Robot
+from cuspaudit.robot.task import check_limits
 
 ISSAC = arm((1, 2, "3/2"), (0, 1, 0), (-90, 90, 0))
 SCHEMA = json.loads(files("cuspaudit.auditing").joinpath("schema.json").read_text())
@@ -131,3 +133,14 @@ def test_limits_of_the_first_joint_alone_keep_a_cusp(ends: tuple[int, int]) -> N
     """T2: whatever the range of joint 1, a cusp stays inside."""
     record = checked(audit(limited(ISSAC, (ends, None, None))))
     assert record["verdict"] == "cuspidal"
+
+
+def test_one_range_for_all_joints_is_remarked() -> None:
+    """Exporters fill in half a turn each way: the note says so, the verdict stands."""
+    joints = [
+        replace(joint, limits=(degrees(-180), degrees(180))) for joint in ISSAC.joints
+    ]
+    [note] = check_limits(ISSAC.with_joints(joints), Place("arm.urdf"))
+    assert "exporter's default" in note
+    joints[0] = replace(joints[0], limits=(degrees(-170), degrees(180)))
+    assert check_limits(ISSAC.with_joints(joints), Place("arm.urdf")) == []

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from cuspaudit.viz.limit_rows import limit_rows, limit_words
+from cuspaudit.viz.limit_rows import cut_rows, limit_rows, limit_words
 
 PATH = [[0.0, 0.5], [1.0, -0.25]]
 
@@ -49,6 +49,18 @@ def test_without_limits_there_is_nothing_to_say() -> None:
     """No words and no rows."""
     assert limit_words({"verdict": "cuspidal", "limits": None}) is None
     assert limit_rows({"verdict": "cuspidal"}) == []
+
+
+def test_cuts_are_shares_of_a_range() -> None:
+    """In percent; a dash where nothing was proved, nothing without cuts."""
+    found = audit("cuspidal", "cuspidal")
+    assert cut_rows(found) == []
+    found["limits"]["cuts"] = [
+        {"joint": "a", "noncuspidal_to": 0.375, "cuspidal_from": 0.40625},
+        {"joint": "b", "noncuspidal_to": None, "cuspidal_from": 1.0},
+    ]
+    rows = [(row.joint, row.least, row.most) for row in cut_rows(found)]
+    assert rows == [("a", "38 %", "41 %"), ("b", "–", "100 %")]
 
 
 def test_room_is_the_distance_to_the_nearer_limit() -> None:

@@ -39,6 +39,7 @@ Array = NDArray[np.float64]
 Interval = tuple[float, float] | None
 
 _STARTS = 48
+_FEW = 24
 _STEPS = 24
 _POLISH = 4
 _STRIDE = 0.4
@@ -68,7 +69,7 @@ def search_cusps(
     chain: Chain,
     limits: Sequence[Interval],
     seed: int = 0,
-    starts: int = _STARTS,
+    starts: int | None = None,
 ) -> list[FoundCusp]:
     """Postures inside the limits that look like cusps, the clearest first.
 
@@ -77,8 +78,9 @@ def search_cusps(
             included.
         limits: for each joint an interval, or None.
         seed: of the random starts.
-        starts: how many there are.
+        starts: how many there are; None for a number that suits the arm.
     """
+    starts = starts or (_STARTS if len(chain.joints) > 3 else _FEW)
     rng = np.random.default_rng(seed)
     ends = np.array([_span(chain, k, limits[k]) for k in range(len(chain.joints))])
     low, high = ends.T
