@@ -15,6 +15,7 @@ from typing import Any
 from cuspaudit.auditing.answer import Answer
 from cuspaudit.auditing.aspects import count_aspects
 from cuspaudit.auditing.deciders.decide import answer
+from cuspaudit.auditing.structure_certificate import structure_certificate
 from cuspaudit.count import Count
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import UnableError
@@ -76,8 +77,8 @@ def near_structures(found: Answer) -> tuple[Structure, ...]:
     judged = []
     is_asked = False
     for near in nearest_structures(found.model):
-        if near.holds:
-            judged.append(_structure(near, found.verdict, found.aspects))
+        if near.holds and _is_sure(near):
+            judged.append(_structure(near, found.verdict, found.aspects, holds=True))
         elif is_regular_somewhere(near.model):
             if _is_settled(near):
                 verdict, aspects = Verdict.NONCUSPIDAL, _aspects(near)
@@ -99,11 +100,15 @@ def why_undecided(model: ExactModel) -> str | None:
 
 
 def _structure(
-    near: NearStructure, verdict: Verdict | None, aspects: Count | None
+    near: NearStructure,
+    verdict: Verdict | None,
+    aspects: Count | None,
+    *,
+    holds: bool = False,
 ) -> Structure:
     return Structure(
         near.name,
-        near.holds,
+        holds,
         near.length,
         near.angle,
         near.model.chain.unit,
@@ -124,6 +129,14 @@ def _decided(near: NearStructure) -> Structure | None:
     if found.verdict is Verdict.UNDECIDED:
         return None
     return _structure(near, found.verdict, found.aspects)
+
+
+def _is_sure(near: NearStructure) -> bool:
+    """Whether the arm itself has the structure, and not only a model within 1e-12."""
+    if near.model.is_exact:
+        return True
+    proof = structure_certificate(near.model.chain, near.name)
+    return proof is not None and proof.theorem == near.name
 
 
 def _is_settled(near: NearStructure) -> bool:

@@ -151,3 +151,22 @@ def test_undecided_numbers_name_what_they_are_near_to() -> None:
     found = audit(robot, Options())
     assert found.literal is Verdict.UNDECIDED
     assert found.why_literal == "0.0073 mrad from a triple and pair, noncuspidal"
+
+
+@pytest.mark.parametrize(("turn", "holds"), [("1.5708", True), ("1e-13", False)])
+def test_only_what_the_numbers_have_holds(turn: str, holds: bool) -> None:
+    """A model within 1e-12 may have parallel axes where the numbers have none."""
+    bent = Rotation(X_AXIS, Angle(radians=Fraction(turn)))
+    chain = with_wrist(arm((1, 2, "3/2"), (0, 1, "1/3"), (90, 180, 0)))
+    joints = list(chain.joints)
+    number = 1 if holds else 2
+    before = (*joints[number].before, bent)
+    joints[number] = replace(joints[number], before=before)
+    model = exact_model(chain.with_joints(joints))
+    assert not model.is_exact
+    assert {s.name for s in nearest_structures(model) if s.holds} >= {"triple and pair"}
+    found = near(model.chain)
+    assert found["triple and pair"].length == found["triple and pair"].angle == 0
+    assert found["spherical wrist"].holds is holds
+    assert found["triple and pair"].holds is False or holds
+    assert found["spherical wrist"].verdict is Verdict.NONCUSPIDAL
