@@ -11,7 +11,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
+import numpy as np
 from flint import arb, ctx
+from numpy.typing import NDArray
 
 from cuspaudit.algebra.parametrization import ZeroDimensionalParametrization
 from cuspaudit.algebra.ring import Polynomial, Ring, rational
@@ -27,13 +29,14 @@ from cuspaudit.kinematics.postures.exact import (
     real_postures,
 )
 from cuspaudit.kinematics.postures.numeric import PostureSolver
+from cuspaudit.toolpath.strand import settled
 from cuspaudit.toolpath.traced_arm import TracedArm
 from cuspaudit.toolpath.waypoints import Pose
 
 __all__ = ["Solved", "SolvedPosture", "solve_pose"]
 
 _BITS = 96
-_SURD = "surd"
+_STARTS, _SINGULAR = 48, 1e8
 
 
 @dataclass(frozen=True, eq=False)
@@ -149,7 +152,10 @@ def _wrapped(angle: arb) -> arb:
 
 
 def _numeric(arm: TracedArm, pose: Pose) -> Iterator[SolvedPosture]:
-    """What floating point finds."""
+    """What floating point finds: for six joints by elimination, else by Newton."""
+    if len(arm.chain.joints) < 6:
+        yield from _searched(arm, pose)
+        return
     try:
         solver = PostureSolver.of(arm.chain)
         target = arm.exact_pose(pose).astype(float)
@@ -159,3 +165,20 @@ def _numeric(arm: TracedArm, pose: Pose) -> Iterator[SolvedPosture]:
         return
     for posture in found:
         yield SolvedPosture(tuple(arb(float(x)) for x in posture), None)
+
+
+def _searched(arm: TracedArm, pose: Pose) -> Iterator[SolvedPosture]:
+    """The regular postures that Newton's method meets from random ones."""
+    system = arm.system(pose, pose)
+    met: list[NDArray[np.float64]] = []
+    size = len(arm.turning)
+    row = np.eye(size + 1)[-1]
+    for start in np.random.default_rng(0).uniform(-np.pi, np.pi, (_STARTS, size)):
+        y = settled(system, np.append(start, 0.0), row)
+        if y is None or np.linalg.cond(system.plain(y)[1][:, :-1]) > _SINGULAR:
+            continue
+        turns = np.where(arm.turning, np.round(y[:-1] / (2 * np.pi)), 0.0)
+        values = y[:-1] - 2 * np.pi * turns
+        if all(np.abs(np.sin((values - other) / 2)).max() > 1e-6 for other in met):
+            met.append(values)
+            yield SolvedPosture(tuple(arb(float(x)) for x in values * arm.scales), None)

@@ -44,10 +44,10 @@ __all__ = [
 Array = NDArray[np.float64]
 Exit = Literal["start", "end", "stuck"]
 
-_FIRST, _LONGEST, _SHORTEST = 0.5, 1.5, 1e-8
+_FIRST, _LONGEST, _SHORTEST = 0.5, 1.5, 1e-6
 _STILL = 1e-3
 _COMFORT = 0.45
-_MOST = 5_000
+_MOST = 2_000
 _FLAT = 1e-9
 _BRIEFEST = 1e-6
 _NEWTON = 8

@@ -189,8 +189,7 @@ def trace_path(
         progress: called with the name of each step.
 
     Raises:
-        UnableError: no posture of the first pose is known, because the solvers are
-            unable; or there are too many windings.
+        UnableError: there are too many windings.
         CrossCheckError: two complete lists contradict each other.
     """
     with ctx.workprec(BITS):
@@ -235,8 +234,6 @@ def _starts(
         met = any(turns_between(arm, own.values, k.values) is not None for k in known)
         if own.knot is not None and not met:
             known.append(own)
-    if not known and not solved.complete:
-        raise UnableError("postures of the first pose", solved.why)
     return known
 
 

@@ -212,14 +212,19 @@ def tube_round(axis: Axis, ends: tuple[Array, Array]) -> Tube | None:
     margin = _BEYOND * (last - first)
     span = first - margin, last + margin
     bounds = TubeBounds(axis, max(abs(span[0]), abs(span[1])))
-    widths = bounds.widths()
-    if widths is None:
+    found = bounds.widths()
+    if found is None:
         return None
+    widths, strain = found
     T, bow = bounds.T, np.abs(axis.bow)
     slack = ROUNDING * (1 + np.abs(c))
     aside = np.abs(axis.across) @ widths * _UP + T * T * bow + slack
     one, other = along * span[0], along * span[1]
-    rise = 2 * T * bow + np.abs(axis.across) @ bounds.drift(widths) * _UP + ROUNDING
+    rise = (
+        2 * T * bow
+        + np.abs(axis.across) @ bounds.drift(widths, strain) * _UP
+        + ROUNDING
+    )
     return Tube(
         center=c,
         along=along,
@@ -231,7 +236,7 @@ def tube_round(axis: Axis, ends: tuple[Array, Array]) -> Tube | None:
         high=c + np.maximum(one, other) + aside,
         rise_low=along - rise,
         rise_high=along + rise,
-        strain=bounds.strain(widths),
+        strain=strain,
     )
 
 
@@ -269,6 +274,7 @@ class TubeBounds:
         self.still = np.abs(flat) + noise[:, None]
         self.still += T * np.abs(Y @ along @ N) + T**2 * np.abs(Y @ second @ N)
         self.bends = Y @ np.moveaxis(here.bend @ N, 2, 0)  # (j, n, n + 1)
+        self.bent = np.abs(self.bends @ N)
         self.columns = np.abs(N).sum(axis=0)
         self.turn = None
         if system.has_pose or system.signs is not None:
@@ -283,25 +289,22 @@ class TubeBounds:
             self.turn_columns = joints + system.rate * np.abs(N[-1])
             self.own = self.own + self.turn * self.turned**2
 
-    def widths(self) -> Array | None:
-        """Widths with which the test succeeds."""
+    def widths(self) -> tuple[Array, float] | None:
+        """Widths with which the test succeeds, and the bound of |1 - Y F' N|."""
         loose = max(1 - float(self.still.sum(axis=1).max()), 0.1)
         widths = 1.3 * self.own / loose + _THINNEST
         for _ in range(_TRIES):
             left = self._left(widths)
-            if not float(left.sum(axis=1).max()) < _CONTRACTS:
+            strain = float(left.sum(axis=1).max())
+            if not strain < _CONTRACTS:
                 return None
             needed = (self.own + left @ widths) * _UP
             if bool((needed < widths).all()):
-                return np.asarray(widths)
+                return np.asarray(widths), strain
             widths = np.maximum(1.2 * needed, widths)
         return None
 
-    def strain(self, widths: Array) -> float:
-        """The bound of |1 - Y F' N|."""
-        return float(self._left(widths).sum(axis=1).max())
-
-    def drift(self, widths: Array) -> Array:
+    def drift(self, widths: Array, strain: float) -> Array:
         """Bounds of |z'|."""
         axis, side = self._axis, self._side(widths)
         pushed = np.abs(self.bends @ axis.along) + 2 * self.T * np.abs(
@@ -313,14 +316,12 @@ class TubeBounds:
         if self.turn is not None:
             turning = self.turning + (side + self._mixed(side)) * self.speed
             slope = slope + self.turn * (self.turned + side) * turning
-        strain = self.strain(widths)
         return np.asarray(slope + strain / (1 - strain) * slope.max()) * _UP
 
     def _left(self, widths: Array) -> Array:
         """Bounds of the entries of |1 - Y F' N|."""
         side = self._side(widths)
-        bent = np.abs(self.bends @ self._axis.across)
-        left = self.still + np.tensordot(widths, bent, 1)
+        left = self.still + np.tensordot(widths, self.bent, 1)
         left += np.outer(self.rows * (self.rest + self._mixed(side)), self.columns)
         if self.turn is not None:
             left += np.outer(self.turn * (self.turned + side), self.turn_columns)
