@@ -10,7 +10,7 @@ it shifts the joint's zero and needs no cosine.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
@@ -36,8 +36,8 @@ from cuspaudit.robot.chain import (
     Motion,
     Rotation,
     Translation,
-    Vector,
 )
+from cuspaudit.robot.fixed_motions import absorb_zero, joined_turns, split_tool
 from cuspaudit.robot.frames import angle_value
 from cuspaudit.robot.virtual_joint import with_virtual_joint
 
@@ -60,10 +60,13 @@ class Approximation:
     Attributes:
         where: joint and what about it.
         difference: a bound on the distance, in rad.
+        is_idle: whether it only turns the base, or the tip where the task does not
+            ask for it: the arm is the same.
     """
 
     where: str
     difference: float
+    is_idle: bool = False
 
 
 @dataclass(frozen=True)
@@ -107,8 +110,8 @@ class ExactModel:
 
     @property
     def is_exact(self) -> bool:
-        """Whether no number was approximated."""
-        return not self.approximations
+        """Whether no number that decides was approximated."""
+        return all(entry.is_idle for entry in self.approximations)
 
     @cached_property
     def circles(self) -> list[tuple[str, str]]:
@@ -148,27 +151,36 @@ def exact_model(chain: Chain, tolerance: Fraction = TOLERANCE) -> ExactModel:
         tolerance: how far, in rad, an angle or an axis may be moved to a rational one.
     """
     chain = with_virtual_joint(chain)
-    plan = [_absorb(joint) for joint in chain.joints]
-    rest = [motion for joint, _ in plan for motion in joint.before]
-    ring = Ring(_variables(chain), _radicand(chain, [*rest, *chain.tool]))
-    seen: list[Approximation] = []
+    plan = [absorb_zero(joint) for joint in chain.joints]
+    befores = [joined_turns(joint.before) for joint, _ in plan]
+    tip, idle = split_tool(chain)
+    rest = [motion for before in befores[1:] for motion in before]
+    ring = Ring(_variables(chain), _radicand(chain, [*rest, *tip]))
+    seen = [Approximation(where, float(tolerance)) for where in chain.near]
 
-    def note(where: str, exact: bool) -> None:
-        if not exact:
-            seen.append(Approximation(where, float(tolerance)))
+    def product(motions: Sequence[Motion], where: str, is_idle: bool) -> Transform:
+        result, exact = _product(ring, motions, tolerance)
+        seen.extend(
+            Approximation(f"{where}, {what}", float(tolerance), is_idle)
+            for what in exact
+        )
+        return result
 
     joints = []
-    for number, (joint, offset) in enumerate(plan, 1):
-        before = _product(ring, joint.before, tolerance, f"{joint.name} before", note)
+    for number, ((joint, offset), moves) in enumerate(
+        zip(plan, befores, strict=True), 1
+    ):
+        before = product(moves, f"{joint.name} before", number == 1)
         axis, exact = unit_vector(joint.axis, tolerance)
-        note(f"{joint.name} axis", exact)
+        if not exact:
+            seen.append(Approximation(f"{joint.name} axis", float(tolerance)))
         names = _names(number, joint)
         joints.append(
             ExactJoint(
                 joint.name, joint.kind, before, column(ring, axis), offset, names
             )
         )
-    tool = _product(ring, chain.tool, tolerance, "tool", note)
+    tool = product(tip, "tool", False) @ product(idle, "tool", True)
     return ExactModel(chain, ring, tuple(joints), tool, tuple(seen))
 
 
@@ -195,28 +207,6 @@ def _variables(chain: Chain) -> Iterator[str]:
         yield from _names(number, joint)
 
 
-def _absorb(joint: Joint) -> tuple[Joint, Angle]:
-    """The joint without rotations about its own axis before it, and their angle."""
-    before, zero = list(joint.before), Angle()
-    if joint.kind == "revolute":
-        while before and isinstance(before[-1], Rotation):
-            factor = _ratio(before[-1].axis, joint.axis)
-            if factor is None:
-                break
-            last = before.pop()
-            assert isinstance(last, Rotation)
-            zero = zero + (last.angle if factor > 0 else -last.angle)
-    return Joint(joint.name, joint.kind, tuple(before), joint.axis), zero
-
-
-def _ratio(a: Vector, b: Vector) -> Fraction | None:
-    """The factor with a = factor b, or None."""
-    at = max(range(3), key=lambda i: abs(b[i]))
-    factor = a[at] / b[at]
-    parallel = all(x == factor * y for x, y in zip(a, b, strict=True))
-    return factor if parallel else None
-
-
 def _radicand(chain: Chain, motions: list[Motion]) -> int | None:
     """The radicand that most of the angles ask for, or None.
 
@@ -238,22 +228,19 @@ def _radicand(chain: Chain, motions: list[Motion]) -> int | None:
 
 
 def _product(
-    ring: Ring,
-    motions: tuple[Motion, ...],
-    tolerance: Fraction,
-    where: str,
-    note: Callable[[str, bool], None],
-) -> Transform:
-    result = Transform(ring, identity(ring), zero(ring))
+    ring: Ring, motions: Sequence[Motion], tolerance: Fraction
+) -> tuple[Transform, list[str]]:
+    """The product of ``motions``, and what of it was approximated."""
+    result, near = Transform(ring, identity(ring), zero(ring)), []
     for motion in motions:
         if isinstance(motion, Translation):
             step = Transform(ring, identity(ring), column(ring, motion.vector))
         else:
             axis, exact_axis = unit_vector(motion.axis, tolerance)
             c, s, exact = cos_sin(ring, motion.angle, tolerance)
-            note(f"{where}, rotation axis", exact_axis)
-            note(f"{where}, angle", exact)
+            near += [] if exact_axis else ["rotation axis"]
+            near += [] if exact else ["angle"]
             rows = turn(ring, column(ring, axis), c, s)
             step = Transform(ring, rows, zero(ring))
         result = result @ step
-    return result
+    return result, near

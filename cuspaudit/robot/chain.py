@@ -76,10 +76,12 @@ class Translation:
     Attributes:
         vector: the three components.
         source: where the file has them ("joint_2 xyz"), or ""; not compared.
+        decimals: with how many each was printed by a program, or (); not compared.
     """
 
     vector: Vector
     source: str = field(default="", compare=False, repr=False)
+    decimals: tuple[int, ...] = field(default=(), compare=False, repr=False)
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,11 +92,13 @@ class Rotation:
         axis: the direction, not zero.
         angle: by the right-hand rule.
         source: where the file has the angle ("joint_2 rpy[0]"), or ""; not compared.
+        decimals: with how many a program printed its radians, or (); not compared.
     """
 
     axis: Vector
     angle: Angle
     source: str = field(default="", compare=False, repr=False)
+    decimals: tuple[int, ...] = field(default=(), compare=False, repr=False)
 
 
 Motion = Translation | Rotation
@@ -115,6 +119,8 @@ class Joint:
         axis: direction of the joint axis, not zero, not necessarily unit.
         limits: lower and upper value, or None when the joint has none.
         is_virtual: whether no motor makes it (`virtual_joint`).
+        printed_axis: the axis as a program printed it, and with how many decimals;
+            None when the numbers are exact; not compared.
     """
 
     name: str
@@ -123,6 +129,9 @@ class Joint:
     axis: Vector = Z_AXIS
     limits: tuple[Angle, Angle] | tuple[Fraction, Fraction] | None = None
     is_virtual: bool = False
+    printed_axis: tuple[Vector, tuple[int, ...]] | None = field(
+        default=None, compare=False, repr=False
+    )
 
 
 @dataclass(frozen=True, slots=True)
@@ -139,6 +148,8 @@ class Chain:
         base: name of the base link or frame.
         tip: name of the tip link or frame.
         unit: unit of every length, "m" or "mm".
+        near: the numbers between its axes that only come near those of the chain it
+            was written for (`canonical`), in words; not compared.
     """
 
     name: str
@@ -148,6 +159,7 @@ class Chain:
     base: str = "base"
     tip: str = "tip"
     unit: str = "m"
+    near: tuple[str, ...] = field(default=(), compare=False)
 
     @property
     def kinds(self) -> tuple[JointKind, ...]:
@@ -167,7 +179,12 @@ def reverse(chain: Chain) -> Chain:
     """
     fixed = [joint.before for joint in chain.joints] + [chain.tool]
     joints = [
-        replace(joint, before=_inverse(after), axis=_opposite(joint.axis))
+        replace(
+            joint,
+            before=_inverse(after),
+            axis=_opposite(joint.axis),
+            printed_axis=None,
+        )
         for joint, after in zip(chain.joints, fixed[1:], strict=True)
     ]
     return replace(

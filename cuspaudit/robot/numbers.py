@@ -34,6 +34,7 @@ __all__ = [
     "parse_angle",
     "parse_decimal",
     "parse_length",
+    "printed_decimals",
 ]
 
 AngleUnit = Literal["deg", "rad"]
@@ -195,6 +196,16 @@ def decimal_places(denominator: int) -> int | None:
     while rest % 5 == 0:
         rest, fives = rest // 5, fives + 1
     return max(twos, fives) if rest == 1 else None
+
+
+def printed_decimals(text: str) -> int:
+    """With how many decimals the number ``text`` is written, zeros included.
+
+    >>> printed_decimals("0.500"), printed_decimals("1.25e-3"), printed_decimals("2")
+    (3, 5, 0)
+    """
+    mantissa, _, exponent = text.strip().lower().partition("e")
+    return len(mantissa.partition(".")[2]) - int(exponent or "0")
 
 
 def _term(text: str, place: Place, unit: AngleUnit | None) -> Angle:

@@ -2,8 +2,8 @@
 
 A policy is ``default``, ``none``, or a YAML file with any of the four entries::
 
-    angle: 1e-5      # rad from a multiple of pi/6 or pi/4
-    length: 2e-6     # m, up to which a component of a translation may count as 0
+    angle: 1e-5      # rad from a multiple of pi/6 or pi/4, printed or between two axes
+    length: 5e-6     # m, up to which a length between axes may count as 0
     axis: 1e-5       # up to which a component of an axis may count as 0
     printed: true    # 1.57, 1.571, 1.5708, ... count as pi/2
 
@@ -44,7 +44,7 @@ class SnapPolicy:
     """
 
     angle: Fraction = Fraction(1, 10**5)
-    length: Fraction = Fraction(2, 10**6)
+    length: Fraction = Fraction(5, 10**6)
     axis: Fraction = Fraction(1, 10**5)
     printed: bool = True
     name: str = "default"

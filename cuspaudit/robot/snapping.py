@@ -1,12 +1,23 @@
 """The snapped chain: what the designer meant by the numbers a file prints.
 
-A file writes pi/2 as 1.5708, 1.57 or 1.570796326589793, and a parallel axis with
-3.7e-6 left over from a CAD system. As printed, such axes neither meet nor stand
-parallel; snapped they do. An angle is what it is read as wherever it stands, since only
-then a model is exact; a small component of a length or an axis goes only where a
-relation of the axes comes of it. Every number that is replaced is listed with its
-replacement and with the relations that hold because of it, and the literal chain stays
-what it is.
+A file writes pi/2 as 1.5708, 1.57 or 1.570796326589793, and a parallel axis with 3.7e-6
+left over from a CAD system. As printed, such axes neither meet nor stand parallel;
+snapped they do. Relations live in the geometry and not in the digits of single numbers,
+so they are looked for twice.
+
+*Number by number*: an angle is what it is read as wherever it stands, since only then a
+model is exact; a small component of a length or an axis goes where a relation of the
+axes comes of it. The chain keeps its frames.
+
+*By the invariants* (`invariants`): where the file's link frames are arbitrary, or turns
+that are no multiples of 30 or 45 degrees cancel, the relations are seen in no single
+number. Then the chain is written anew by its invariants (`canonical`), each of which is
+the structural value or the simplest number of its interval. A chain whose model is
+exact and has every such relation stays itself, and so does a plain table whose angles
+are typed: it has one turn between two axes, and nothing to lose.
+
+Every number that is replaced is listed with its replacement and with the relations that
+hold because of it, and the literal chain stays what it is.
 """
 
 from __future__ import annotations
@@ -16,6 +27,7 @@ from dataclasses import dataclass, field, replace
 from fractions import Fraction
 
 from cuspaudit.robot.axes import scaled_axis, unit_axis
+from cuspaudit.robot.canonical import Canonical, Taken, canonical
 from cuspaudit.robot.chain import (
     Angle,
     Chain,
@@ -25,14 +37,22 @@ from cuspaudit.robot.chain import (
     Translation,
     Vector,
 )
+from cuspaudit.robot.fixed_motions import geometry, has_exact_cosine, is_algebraic
 from cuspaudit.robot.frames import angle_value
-from cuspaudit.robot.numbers import decimal_places, format_angle
+from cuspaudit.robot.invariants import invariants
+from cuspaudit.robot.numbers import format_angle
+from cuspaudit.robot.printed_angles import PI, is_printed
+from cuspaudit.robot.readings import Reader
 from cuspaudit.robot.relations import relations
-from cuspaudit.robot.snap_policy import DEFAULT_POLICY, SnapPolicy
+from cuspaudit.robot.snap_policy import DEFAULT_POLICY, NO_SNAPPING, SnapPolicy
 
-__all__ = ["Snapped", "snap"]
+__all__ = ["Snapped", "faithful", "snap"]
 
-_PI = Fraction("3.14159265358979323846264338327950288419716939937510")
+_LONG = 15
+_ROUNDING = 1e-9
+_NO_ROUNDING = 1e-13
+_EXACT = 1e-30
+_NOISE = 1e-15
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,12 +60,15 @@ class Snapped:
     """One number that was replaced.
 
     Attributes:
-        where: its place in the file, such as "joint_2 rpy[0]" or "joint_2 alpha".
+        where: its place in the file, such as "joint_2 rpy[0]" or "joint_2 alpha", or
+            the invariant that it is, such as "axes 4 and 5, common normal".
         given: what stands there, in rad or the chain's unit.
         used: the exact text of what is used instead.
         difference: used minus given.
         effect: the relations of the axes (`relations`) that hold only because of it;
             "" when none do.
+        error: how far an invariant may be off by the rounding of the file's numbers;
+            None for a number of the file.
     """
 
     where: str
@@ -53,6 +76,7 @@ class Snapped:
     used: str
     difference: float
     effect: str = ""
+    error: float | None = None
 
 
 def snap(
@@ -60,8 +84,86 @@ def snap(
 ) -> tuple[Chain, tuple[Snapped, ...]]:
     """The snapped chain and the list of what was snapped, base to tip.
 
-    Limits are left alone. With nothing to snap the chain itself comes back.
+    Limits are left alone. With nothing to snap the chain itself comes back, or the
+    same arm in numbers that keep its relations (`faithful`).
     """
+    by_numbers, entries = _by_numbers(chain, policy)
+    if not is_algebraic(by_numbers):
+        by_invariants = _by_invariants(chain, policy)
+        gains = is_algebraic(by_invariants.chain)
+        if _is_plain(by_numbers, gains) and _has_all(by_numbers, by_invariants.chain):
+            return by_numbers, entries
+        return by_invariants.chain, tuple(_listed(by_invariants.taken))
+    by_invariants = _by_invariants(by_numbers, policy)
+    if _has_all(by_numbers, by_invariants.chain):
+        return by_numbers, entries
+    return by_invariants.chain, (*entries, *_listed(by_invariants.taken))
+
+
+def faithful(chain: Chain) -> Chain:
+    """The same arm in numbers whose exact model keeps every relation of its axes.
+
+    That is the chain itself, unless turns that have no exact cosine follow each other,
+    or an axis has no rational unit vector: then it is written by its invariants, and
+    nothing is snapped.
+    """
+    return snap(chain, NO_SNAPPING)[0]
+
+
+def _by_invariants(chain: Chain, policy: SnapPolicy) -> Canonical:
+    found = invariants(chain, policy)
+    is_rounded = found.printed.is_generic
+    coarse = policy.length > 0 and (is_rounded or found.printed.digits >= _LONG)
+    slack = _ROUNDING if coarse else _NO_ROUNDING
+    reader = Reader(found.floor, slack, policy.printed, is_rounded)
+    return canonical(found, reader)
+
+
+def _has_all(chain: Chain, other: Chain) -> bool:
+    """Whether ``chain`` has every relation of the axes of ``other``."""
+    wanted = {word for word in relations(other) if "the base" not in word}
+    return wanted <= relations(chain)
+
+
+def _is_plain(chain: Chain, prints: bool) -> bool:
+    """Whether one inexact turn at most, about a rational axis, stands between two axes.
+
+    Such a chain has nothing to lose where the turn is moved to a rational cosine.
+
+    Args:
+        chain: the chain.
+        prints: whether a turn that a program printed counts as too much: it has an
+            error, and a number within that has an exact cosine.
+    """
+    if chain.near or any(unit_axis(joint.axis) is None for joint in chain.joints):
+        return False
+    for part in geometry(chain):
+        turns = [motion for motion in part if isinstance(motion, Rotation)]
+        if any(unit_axis(turn.axis) is None for turn in turns):
+            return False
+        inexact = [turn for turn in turns if not has_exact_cosine(turn.angle)]
+        if len(inexact) > 1 or (prints and any(turn.decimals for turn in inexact)):
+            return False
+    return True
+
+
+def _listed(taken: Sequence[Taken]) -> list[Snapped]:
+    """The invariants that were changed, as entries of the list."""
+    return [
+        Snapped(
+            entry.where,
+            entry.reading.given,
+            entry.reading.text,
+            entry.reading.difference,
+            entry.relation,
+            entry.reading.error,
+        )
+        for entry in taken
+        if abs(entry.reading.difference) > (_EXACT if entry.relation else _NOISE)
+    ]
+
+
+def _by_numbers(chain: Chain, policy: SnapPolicy) -> tuple[Chain, tuple[Snapped, ...]]:
     record = _Record()
     whole = _snapped(chain, policy, record)
     if not record.entries:
@@ -138,7 +240,7 @@ def _joint(joint: Joint, policy: SnapPolicy, reach: Fraction, record: _Record) -
         kept = [Fraction(0) if k in small else x for k, x in enumerate(axis)]
         direction: Vector = (kept[0], kept[1], kept[2])
         axis = unit_axis(direction) or direction
-    return replace(joint, before=before, axis=axis)
+    return replace(joint, before=before, axis=axis, printed_axis=None)
 
 
 def _motions(
@@ -180,7 +282,7 @@ def _angle(motion: Rotation, policy: SnapPolicy, record: _Record) -> Angle:
     used = _meant(given.radians, policy)
     if used is None:
         return given
-    difference = float(used.half_turns * _PI - given.radians)
+    difference = float(used.half_turns * PI - given.radians)
     text = format_angle(used)
     taken = record.takes(motion.source, angle_value(given), text, difference)
     return used if taken else given
@@ -188,25 +290,14 @@ def _angle(motion: Rotation, policy: SnapPolicy, record: _Record) -> Angle:
 
 def _meant(radians: Fraction, policy: SnapPolicy) -> Angle | None:
     """The multiple of pi that ``radians`` stands for, if any."""
-    right = Fraction(round(2 * radians / _PI), 2)
-    if policy.printed and _is_printed(radians, right * _PI):
+    right = Fraction(round(2 * radians / PI), 2)
+    if policy.printed and is_printed(radians, right * PI):
         return Angle(right)
     for parts in (6, 4):
-        multiple = Fraction(round(parts * radians / _PI), parts)
-        if abs(radians - multiple * _PI) <= policy.angle:
+        multiple = Fraction(round(parts * radians / PI), parts)
+        if abs(radians - multiple * PI) <= policy.angle:
             return Angle(multiple)
     return None
-
-
-def _is_printed(value: Fraction, exact: Fraction) -> bool:
-    """Whether ``value`` is ``exact``, not 0, rounded or cut at its own last decimal."""
-    places = decimal_places(value.denominator)
-    if places is None or places < 2 or exact == 0:
-        return False
-    shift = 10**places
-    cut = int(abs(exact) * shift)
-    sign = 1 if exact > 0 else -1
-    return sign * value * shift in (cut, round(abs(exact) * shift))
 
 
 def _small(vector: Vector, bound: Fraction) -> list[int]:

@@ -29,18 +29,21 @@ and its ends differ in these, since a pose and q leave one t only.
 from __future__ import annotations
 
 from dataclasses import replace
+from fractions import Fraction
 
 from cuspaudit.robot.chain import (
     X_AXIS,
     Y_AXIS,
     Z_AXIS,
+    Angle,
     Chain,
     Joint,
+    Rotation,
     Task,
     Vector,
 )
 
-__all__ = ["TOOL_AXES", "with_virtual_joint", "without_virtual_joint"]
+__all__ = ["TOOL_AXES", "TO_Z", "with_virtual_joint", "without_virtual_joint"]
 
 TOOL_AXES: dict[Task, Vector] = {
     "position-and-x-axis": X_AXIS,
@@ -48,6 +51,13 @@ TOOL_AXES: dict[Task, Vector] = {
     "position-and-z-axis": Z_AXIS,
 }
 """The axis of the tip's frame whose direction belongs to the task."""
+
+TO_Z: dict[Vector, tuple[Rotation, ...]] = {
+    X_AXIS: (Rotation(Y_AXIS, Angle(Fraction(-1, 2))),),
+    Y_AXIS: (Rotation(X_AXIS, Angle(Fraction(1, 2))),),
+    Z_AXIS: (),
+}
+"""The turn of a frame that carries this axis of it to z."""
 
 _NAME = "tool axis"
 

@@ -165,7 +165,8 @@ def test_a_turn_about_the_own_axis_shifts_the_zero() -> None:
     assert model.is_exact
     assert model.ring.radicand is None
     assert model.joints[0].zero == odd + degrees(-45)
-    slide = exact_model(chain_of([("prismatic", before, Z_AXIS)], ()))
+    joints = [("revolute", (), X_AXIS), ("prismatic", before, Z_AXIS)]
+    slide = exact_model(chain_of(joints, ()))
     assert not slide.is_exact
     assert slide.joints[0].zero.is_zero
 

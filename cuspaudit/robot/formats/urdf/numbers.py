@@ -18,7 +18,7 @@ from cuspaudit.robot.chain import (
     Vector,
 )
 from cuspaudit.robot.formats.urdf.xml import JointElement
-from cuspaudit.robot.numbers import parse_decimal
+from cuspaudit.robot.numbers import parse_decimal, printed_decimals
 from cuspaudit.robot.place import Place, quoted
 
 __all__ = ["Limits", "axis", "limits", "origin"]
@@ -36,36 +36,42 @@ def origin(joint: JointElement, place: Place, notes: list[str]) -> tuple[Motion,
 
     Zero motions are left out.
     """
-    xyz = _triple(joint, "origin", "xyz", place, _ZERO)
-    rpy = _triple(joint, "origin", "rpy", place, _ZERO)
+    xyz, places = _triple(joint, "origin", "xyz", place, _ZERO)
+    rpy, decimals = _triple(joint, "origin", "rpy", place, _ZERO)
     motions: list[Motion] = []
     if any(xyz):
-        motions.append(Translation(xyz, f"{joint.name} xyz"))
+        motions.append(Translation(xyz, f"{joint.name} xyz", places))
     for index, direction in ((2, Z_AXIS), (1, Y_AXIS), (0, X_AXIS)):
         if rpy[index]:
             source = f"{joint.name} rpy[{index}]"
-            motions.append(Rotation(direction, Angle(radians=rpy[index]), source))
+            angle = Angle(radians=rpy[index])
+            motions.append(Rotation(direction, angle, source, decimals[index:][:1]))
             if abs(rpy[index]) > _MANY_TURNS:
                 notes.append(f"{source} is more than two turns: rad, or meant as deg?")
     return tuple(motions)
 
 
-def axis(joint: JointElement, place: Place, notes: list[str]) -> Vector:
+def axis(
+    joint: JointElement, place: Place, notes: list[str]
+) -> tuple[Vector, tuple[Vector, tuple[int, ...]] | None]:
     """The axis of ``joint``: the exact unit vector when that is rational.
 
     Otherwise its direction, scaled to a largest component of 1.
 
+    Returns:
+        The axis, and the numbers that are printed, with their decimals.
+
     Raises:
         InvalidRobotError: it is not three numbers, or it is zero.
     """
-    given = _triple(joint, "axis", "xyz", place, X_AXIS)
+    given, decimals = _triple(joint, "axis", "xyz", place, X_AXIS)
     if not any(given):
         raise place.error("its axis is the zero vector", "write a direction")
     unit = unit_axis(given)
     if unit is None:
         notes.append(f"{joint.name} axis has no rational unit vector: direction kept")
-        return scaled_axis(given)
-    return unit
+    printed = (given, decimals) if decimals else None
+    return unit or scaled_axis(given), printed
 
 
 def limits(
@@ -93,15 +99,15 @@ def limits(
 
 def _triple(
     joint: JointElement, part: str, attribute: str, place: Place, default: Vector
-) -> Vector:
-    """Three decimals, or ``default`` when the attribute is absent."""
+) -> tuple[Vector, tuple[int, ...]]:
+    """Three numbers and their decimals, or ``default`` when the attribute is absent."""
     text = joint.text(part, attribute)
     if text is None:
-        return default
+        return default, ()
     here = place.at(f"{part} {attribute}")
     words = [word for word in _BLANKS.split(text) if word]
     if len(words) != 3:
         found = f"{len(words)} numbers in {quoted(text)}" if words else "it is empty"
         raise here.error(found, "write three decimal numbers")
     x, y, z = (parse_decimal(word, here) for word in words)
-    return x, y, z
+    return (x, y, z), tuple(map(printed_decimals, words))

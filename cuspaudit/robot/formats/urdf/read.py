@@ -166,12 +166,14 @@ def _joint(
     element: JointElement, before: tuple[Motion, ...], place: Place, notes: list[str]
 ) -> Joint:
     kind = _kind(element, place)
+    direction, printed = axis(element, place, notes)
     return Joint(
         name=element.name,
         kind=kind,
         before=before,
-        axis=axis(element, place, notes),
+        axis=direction,
         limits=limits(element, kind, place, notes),
+        printed_axis=printed,
     )
 
 

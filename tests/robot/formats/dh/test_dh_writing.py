@@ -111,7 +111,8 @@ def test_snapping_an_arm_that_came_back_changes_as_little(
         assert error <= 1e-5, literal.name
         if len(literal.joints) == 6:
             assert structure(second) == structure(first), literal.name
-        assert len(again) <= len(record)
+        if all(entry.error is None for entry in record):
+            assert len(again) <= len(record)
 
 
 def test_tables_come_back_as_tables(corpus: Path, back: Back) -> None:
