@@ -37,6 +37,8 @@ class Reason(Enum):
     """Two numbers were not told apart."""
     UNCONFIRMED = "unconfirmed"
     """The second route, which was asked for, came to no end."""
+    NO_MODEL = "no model"
+    """The exact model has lost a relation of the axes, or has one too many."""
     UNCERTIFIED = "uncertified"
     """There is a cuspidal couple, and its path resists proof."""
 

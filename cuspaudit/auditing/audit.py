@@ -2,35 +2,32 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import replace
 
 from cuspaudit.auditing.advice import advice_on_degeneracy, advice_without_angle
 from cuspaudit.auditing.answer import Answer
+from cuspaudit.auditing.as_written import as_written
 from cuspaudit.auditing.aspects import count_aspects
-from cuspaudit.auditing.case import HAIR_POSES, Case
+from cuspaudit.auditing.carried import carried
+from cuspaudit.auditing.case import Case
 from cuspaudit.auditing.crosscheck.compare import CrossCheck, crosscheck
 from cuspaudit.auditing.crosscheck.pinocchio_model import is_readable
 from cuspaudit.auditing.deciders.decide import decide
-from cuspaudit.auditing.deciders.registry import HAIR
 from cuspaudit.auditing.options import Options
 from cuspaudit.auditing.record import Audit
-from cuspaudit.auditing.structure_certificate import structure_certificate
 from cuspaudit.auditing.structures import near_structures, why_undecided
 from cuspaudit.auditing.within_limits import within_limits
 from cuspaudit.auditing.witness import Witness
 from cuspaudit.certificate.margin import margin_of
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import (
-    AssumptionError,
     DegenerateMapError,
     NoAngleError,
-    UnableError,
 )
 from cuspaudit.kinematics.exact_model import exact_model
 from cuspaudit.robot.chain import Chain
 from cuspaudit.robot.robot import Robot
-from cuspaudit.robot.snapping import Snapped, snap
+from cuspaudit.robot.snapping import faithful, snap
 from cuspaudit.robot.virtual_joint import with_virtual_joint
 from cuspaudit.runtime.clock import Clock, time_limit
 
@@ -49,38 +46,39 @@ def audit(robot: Robot, options: Options | None = None) -> Audit:
     clock = Clock(options.timeout, options.progress)
     with clock.stage("import"):
         chain, snapped = snap(robot.chain, options.snap)
-        literal = with_virtual_joint(robot.chain)
-        case = Case(exact_model(chain), literal, options.seed, options.engine)
+        case = Case(exact_model(chain), options.seed, options.engine)
     with time_limit(clock.left):
         found = _decide(robot, case, clock)
         with clock.stage("aspects"):
-            found = _with_aspects(found, clock)
-    with clock.stage("margin"):
-        margin = margin_of(found.witness.certificate) if found.witness else None
+            found = carried(_with_aspects(found, clock))
     with clock.stage("structures"):
         structures = near_structures(found)
     with clock.stage("limits"):
-        within = within_limits(found, literal, options.seed, clock)
+        within = within_limits(
+            found, with_virtual_joint(robot.chain), options.seed, clock
+        )
     with clock.stage("literal"):
         with time_limit(clock.left):
-            verdict, proof = _literal(replace(case, so_far=found), clock)
+            literal = as_written(robot.chain, found, snapped, options.seed, clock)
         why = None
-        if verdict is Verdict.UNDECIDED:
-            why = why_undecided(exact_model(literal))
+        if literal.verdict is Verdict.UNDECIDED:
+            why = why_undecided(exact_model(faithful(robot.chain)))
+    with clock.stage("margin"):
+        shown = (literal.is_same_path and literal.witness) or found.witness
+        margin = margin_of(shown.certificate) if shown else None
     with clock.stage("crosscheck"):
         clock.step("crosscheck", always=True)
-        check = _check(robot, found, snapped, options)
+        check = _check(robot, found, literal.witness, options)
     return Audit(
         robot,
         chain,
         snapped,
         found,
-        verdict,
+        literal,
         check,
         clock.seconds,
         options.seed,
         options.snap,
-        proof,
         structures,
         why,
         within,
@@ -112,54 +110,23 @@ def _with_aspects(found: Answer, clock: Clock) -> Answer:
     return replace(found, aspects=count_aspects(found.model, seconds / 3))
 
 
-def _literal(case: Case, clock: Clock) -> tuple[Verdict, Witness | None]:
-    """The verdict for the numbers exactly as the file has them, and its own witness.
-
-    CUSPIDAL with a certificate for them; without one either verdict only if their
-    model is exact: what holds within 1e-12 rad of them may hold for the model alone.
-    Else NONCUSPIDAL with a structure certificate for them.
-
-    Args:
-        case: the arm, with the answer for its model.
-        clock: of the audit.
-    """
-    found, literal = case.so_far, case.literal
-    assert found is not None, "the model was decided"
-    if found.witness is not None and found.witness.chain == literal:
-        return Verdict.CUSPIDAL, None
-    if literal != found.model.chain:
-        try:
-            other = Case(exact_model(literal), literal, case.seed, poses=HAIR_POSES)
-            found = decide(other, Clock(clock.left, clock.tell), HAIR)
-        except (UnableError, AssumptionError):
-            return _by_structure(literal), None
-    if found.witness is None and not found.model.is_exact:
-        return _by_structure(literal), None
-    return found.verdict, found.witness
-
-
-def _by_structure(chain: Chain) -> Verdict:
-    """NONCUSPIDAL where the relations of a theorem are proved for these numbers."""
-    proved = structure_certificate(chain) is not None
-    return Verdict.NONCUSPIDAL if proved else Verdict.UNDECIDED
-
-
 def _check(
-    robot: Robot,
-    found: Answer,
-    snapped: Sequence[Snapped],
-    options: Options,
+    robot: Robot, found: Answer, witness: Witness | None, options: Options
 ) -> CrossCheck:
-    literal = exact_model(robot.chain) if snapped else None
+    """The comparison with Pinocchio, of both models where they are two.
+
+    The numbers of the file stand for themselves by their invariants, which are shorter.
+    """
+    is_snapped = with_virtual_joint(robot.chain) != found.model.chain
+    literal = exact_model(faithful(robot.chain)) if is_snapped else None
     urdf = robot.urdf if robot.urdf and is_readable(robot.urdf) else None
-    witness = found.witness
+    shown = witness or found.witness
     return crosscheck(
         found.model,
         urdf=urdf,
         literal=literal,
         locked=robot.locked,
-        path=None if witness is None else list(witness.path),
-        path_is_literal=literal is None
-        or (witness is not None and witness.chain == literal.chain),
+        path=None if shown is None else list(shown.path),
+        path_is_literal=literal is None or witness is not None,
         seed=options.seed,
     )

@@ -6,7 +6,6 @@ from dataclasses import dataclass
 
 from cuspaudit.auditing.answer import Answer
 from cuspaudit.kinematics.exact_model import ExactModel
-from cuspaudit.robot.chain import Chain
 
 __all__ = ["HAIR_POSES", "MOST_POSES", "Case"]
 
@@ -20,9 +19,9 @@ class Case:
     """An arm to be decided.
 
     Attributes:
-        model: the numbers that the verdict is about, a virtual joint included.
-        literal: the chain as its file has it, a virtual joint included; a witness is
-            for it where it can be, else for the chain of the model.
+        model: the numbers that the verdict is about, a virtual joint included. Every
+            proof is about the chain of this model: a witness of other numbers, near
+            as they may be, proves nothing here.
         seed: of every random choice.
         engine: the route to connectivity, "auto", "roadmap" or "routing"; or "pairs".
         poses: the most random poses that a search tries.
@@ -31,7 +30,6 @@ class Case:
     """
 
     model: ExactModel
-    literal: Chain
     seed: int = 0
     engine: str = "auto"
     poses: int = MOST_POSES

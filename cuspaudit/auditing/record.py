@@ -8,6 +8,8 @@ from dataclasses import asdict, dataclass
 from typing import Any
 
 from cuspaudit.auditing.answer import Answer
+from cuspaudit.auditing.as_written import AsWritten
+from cuspaudit.auditing.carried import is_carried
 from cuspaudit.auditing.crosscheck.compare import CrossCheck
 from cuspaudit.auditing.cusp_witness import CuspWitness
 from cuspaudit.auditing.structures import Structure
@@ -42,8 +44,7 @@ class Audit:
         chain: the snapped chain, which the verdict is about.
         snapped: what distinguishes it from the robot's literal chain.
         answer: the exact answer for it.
-        literal: the verdict for the literal chain.
-        literal_witness: proves it CUSPIDAL where ``witness`` is not for that chain.
+        as_written: the verdict for the literal chain, and its proof.
         structures: that would decide the arm, nearest first; they decide nothing here.
         why_literal: what the literal chain is near to, where ``literal`` is UNDECIDED.
         check: the comparison with Pinocchio.
@@ -58,12 +59,11 @@ class Audit:
     chain: Chain
     snapped: tuple[Snapped, ...]
     answer: Answer
-    literal: Verdict
+    as_written: AsWritten
     check: CrossCheck
     seconds: Mapping[str, float]
     seed: int
     policy: SnapPolicy = DEFAULT_POLICY
-    literal_witness: Witness | None = None
     structures: tuple[Structure, ...] = ()
     why_literal: str | None = None
     within: WithinLimits | None = None
@@ -75,9 +75,25 @@ class Audit:
         return self.answer.verdict
 
     @property
+    def literal(self) -> Verdict:
+        """The verdict for the literal chain."""
+        return self.as_written.verdict
+
+    @property
     def witness(self) -> Witness | None:
-        """Of a CUSPIDAL verdict; one by ``answer.crowd`` or a cusp may lack it."""
+        """Of a CUSPIDAL verdict; one by ``answer.crowd`` or a cusp may lack it.
+
+        The same path proved for the literal chain, where it is: it is proved for the
+        snapped chain as well, which the verdict is about.
+        """
+        if self.as_written.is_same_path and self.as_written.witness is not None:
+            return self.as_written.witness
         return self.answer.witness
+
+    @property
+    def literal_witness(self) -> Witness | None:
+        """Proves the literal chain CUSPIDAL where ``witness`` does not."""
+        return None if self.as_written.is_same_path else self.as_written.witness
 
     def record(
         self, certificate: str | None = None, limits_certificate: str | None = None
@@ -177,21 +193,21 @@ class Audit:
         answer, why = self.answer, self.answer.why
         if self.witness is not None:
             kind, rests_on = "witness", ["ball arithmetic"]
-            where = "as the file has them" if self._is_literal else "after snapping"
             why = (
                 "two postures of one pose are joined by a path on which det J keeps "
-                f"its sign, proved for the numbers {where}; {why}"
+                f"its sign, proved for {self._proved_numbers()}; {why}"
             )
         elif answer.engine == "cusp":
             kind, rests_on = "cusp", ["ball arithmetic"]
         elif self.verdict is not Verdict.UNDECIDED:
             kind = "exact" if answer.reduction is None else "reduction"
             rests_on = list(answer.rests_on)
-            if not answer.model.is_exact:
-                distance = sum(a.difference for a in answer.model.approximations)
+            if not is_carried(answer):
+                near = [e for e in answer.model.approximations if not e.is_idle]
+                distance = sum(entry.difference for entry in near)
                 why += (
-                    f"; proved for a model whose angles and axes are rational, at most "
-                    f"{distance:.0e} rad from the file's"
+                    "; proved for a model with rational angles, axes and lengths, at "
+                    f"most {distance:.0e} from the numbers, and not for these"
                 )
         else:
             kind, rests_on = "none", []
@@ -201,7 +217,24 @@ class Audit:
             "reduction": answer.reduction.kind if answer.reduction else None,
             "rests_on": rests_on,
             "why": why,
+            "model": self._model(),
         }
+
+    def _model(self) -> str | None:
+        """Which numbers the verdict is proved for."""
+        if self.verdict is Verdict.UNDECIDED:
+            return None
+        if not is_carried(self.answer):
+            return "near"
+        return "snapped" if self.snapped else "literal"
+
+    def _proved_numbers(self) -> str:
+        """The numbers that the path is proved for, in words."""
+        if not self._is_literal:
+            return "the snapped numbers"
+        if self.snapped:
+            return "the snapped numbers and for those of the file"
+        return "the numbers as the file has them"
 
     @property
     def shown_chain(self) -> Chain:

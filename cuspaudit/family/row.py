@@ -23,7 +23,7 @@ from cuspaudit.family.expressions import Value
 from cuspaudit.family.family import Family, exact_text
 from cuspaudit.kinematics.exact_model import exact_model
 from cuspaudit.robot.chain import Angle, Chain
-from cuspaudit.robot.virtual_joint import with_virtual_joint
+from cuspaudit.robot.snapping import faithful
 from cuspaudit.runtime.alarm import TimeUp, alarm
 from cuspaudit.runtime.clock import Clock
 
@@ -64,8 +64,8 @@ def failed_member(family: Family, index: int, why: str) -> Row:
 
 
 def _decided(family: Family, index: int) -> Row:
-    chain = with_virtual_joint(family.robot(index).chain)
-    case = Case(exact_model(chain), chain, family.seed, certify=False)
+    model = exact_model(faithful(family.robot(index).chain))
+    case = Case(model, family.seed, certify=not model.is_exact)
     found = decide(case, Clock())
     counts = {
         "cusps": found.cusps,
@@ -83,7 +83,7 @@ def _decided(family: Family, index: int) -> Row:
     if "within_limits" in family.record:
         row["within_limits"] = _within_limits(found, chain, family.seed)
     if "clearance" in family.record:
-        row["clearance"] = _clearance(found, chain)
+        row["clearance"] = _clearance(found, model.chain)
     return row
 
 

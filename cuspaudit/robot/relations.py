@@ -27,7 +27,7 @@ from cuspaudit.robot.lines import (
 )
 from cuspaudit.robot.virtual_joint import with_virtual_joint
 
-__all__ = ["relations"]
+__all__ = ["relations", "relations_of_lines"]
 
 _UP: Ball = (arb(0), arb(0), arb(1))
 _TWISTS = ("are square", "stand at 60 deg", "stand at 45 deg", "stand at 30 deg")
@@ -48,12 +48,26 @@ def relations(chain: Chain) -> frozenset[str]:
     with ctx.workprec(BITS):
         lines, tip = axis_lines(chain)
         axis = lines[0].direction
-        found = {f"axis 1 and z of the base {w}" for w in _twist(_UP, axis)}
-        for k, (line, after) in enumerate(pairwise(lines), 1):
-            found |= {f"axes {k} and {k + 1} {word}" for word in _pair(line, after)}
-        for first, last in _level(lines, None if chain.task == "pose" else tip):
-            if "prismatic" not in chain.kinds[first - 1 : last]:
-                found.add(_no_offset(first, last, found))
+        base = {f"axis 1 and z of the base {w}" for w in _twist(_UP, axis)}
+        return frozenset(base) | relations_of_lines(chain, lines, tip)
+
+
+def relations_of_lines(chain: Chain, lines: list[Line], tip: Ball) -> frozenset[str]:
+    """The sentences that hold of the axes ``lines`` and of ``tip``, in any frame.
+
+    Assumed is that ``ctx.prec`` is `BITS`.
+
+    Args:
+        chain: whose kinds of joints and task they have, its virtual joint included.
+        lines: the axes, base to tip.
+        tip: the tip's origin.
+    """
+    found: set[str] = set()
+    for k, (line, after) in enumerate(pairwise(lines), 1):
+        found |= {f"axes {k} and {k + 1} {word}" for word in _pair(line, after)}
+    for first, last in _level(lines, None if chain.task == "pose" else tip):
+        if "prismatic" not in chain.kinds[first - 1 : last]:
+            found.add(_no_offset(first, last, found))
     return frozenset(found)
 
 

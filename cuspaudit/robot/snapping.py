@@ -41,7 +41,7 @@ from cuspaudit.robot.fixed_motions import geometry, has_exact_cosine, is_algebra
 from cuspaudit.robot.frames import angle_value
 from cuspaudit.robot.invariants import invariants
 from cuspaudit.robot.numbers import format_angle
-from cuspaudit.robot.printed_angles import PI, is_printed
+from cuspaudit.robot.printed_angles import PI, is_printed, printed_multiple
 from cuspaudit.robot.readings import Reader
 from cuspaudit.robot.relations import relations
 from cuspaudit.robot.snap_policy import DEFAULT_POLICY, NO_SNAPPING, SnapPolicy
@@ -93,7 +93,8 @@ def snap(
         gains = is_algebraic(by_invariants.chain)
         if _is_plain(by_numbers, gains) and _has_all(by_numbers, by_invariants.chain):
             return by_numbers, entries
-        return by_invariants.chain, tuple(_listed(by_invariants.taken))
+        angles = _angles_read(chain) if policy.printed else []
+        return by_invariants.chain, (*angles, *_listed(by_invariants.taken))
     by_invariants = _by_invariants(by_numbers, policy)
     if _has_all(by_numbers, by_invariants.chain):
         return by_numbers, entries
@@ -145,6 +146,20 @@ def _is_plain(chain: Chain, prints: bool) -> bool:
         if len(inexact) > 1 or (prints and any(turn.decimals for turn in inexact)):
             return False
     return True
+
+
+def _angles_read(chain: Chain) -> list[Snapped]:
+    """The printed angles that the invariants take for multiples of pi."""
+    entries = []
+    for motion in (m for part in geometry(chain) for m in part):
+        if isinstance(motion, Rotation) and not motion.angle.half_turns:
+            multiple = printed_multiple(motion.angle.radians)
+            if multiple:
+                given = motion.angle.radians
+                difference = float(multiple * PI - given)
+                text = format_angle(Angle(multiple))
+                entries.append(Snapped(motion.source, float(given), text, difference))
+    return entries
 
 
 def _listed(taken: Sequence[Taken]) -> list[Snapped]:

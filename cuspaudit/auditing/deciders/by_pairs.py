@@ -28,8 +28,7 @@ _TRIES = 4
 def by_pair_maxima(case: Case, clock: Clock) -> Answer | None:
     """CUSPIDAL with a witness proved along a maximum over pairs, or what was met.
 
-    The witness is for the literal chain, or else for the chain of the model. None
-    where the time was up, or floating point failed, before anything was met.
+    None where the time was up, or floating point failed, before anything was met.
     """
     found, chain = case.so_far, case.model.chain
     if found is None:
@@ -42,7 +41,7 @@ def by_pair_maxima(case: Case, clock: Clock) -> Answer | None:
     try:
         record = pair_maxima(case.model, case.seed, clock.step)
         together = record.together > 0
-        witness = _proved(case.model, case.literal, record) if together else None
+        witness = _proved(case.model, record) if together else None
     except UnableError:
         return None
     if witness is None:
@@ -69,15 +68,14 @@ def _sentence(record: PairRecord) -> str:
     )
 
 
-def _proved(model: ExactModel, literal: Chain, record: PairRecord) -> Witness | None:
+def _proved(model: ExactModel, record: PairRecord) -> Witness | None:
     """The certified path of the highest maximum that has one."""
     routing = route_aspects(model, record.seed)
     together = [found for found in record.maxima if found.together]
-    for chain in dict.fromkeys((literal, model.chain)):
-        for maximum in together[:_TRIES]:
-            witness = _witness(routing, chain, maximum)
-            if witness is not None:
-                return witness
+    for maximum in together[:_TRIES]:
+        witness = _witness(routing, model.chain, maximum)
+        if witness is not None:
+            return witness
     return None
 
 

@@ -37,11 +37,7 @@ class Searched:
 
 
 def by_search(case: Case, clock: Clock) -> Answer | None:
-    """CUSPIDAL with a witness proved for the model's numbers, or what was tried.
-
-    The witness is for the literal chain where the same path is one, else for the chain
-    of the model.
-    """
+    """CUSPIDAL with a witness proved for the model's numbers, or what was tried."""
     found, chain = case.so_far, case.model.chain
     if found is None or not found.is_open_for(Reason.NO_THEOREM):
         return None
@@ -54,10 +50,6 @@ def by_search(case: Case, clock: Clock) -> Answer | None:
         why = ", and no witness was met in a search"
         return found.still_open(why, search=record, postures=postures)
     why = f"a search met it in {record.poses} random poses"
-    if chain != case.literal:
-        other = _same_path(witness, case.literal, result.largest)
-        witness = other or witness
-        why += ", and proved it for the snapped numbers" if other else ""
     return replace(
         found,
         verdict=Verdict.CUSPIDAL,
@@ -105,12 +97,3 @@ def _postures(record: SearchRecord) -> Count | None:
     """The most postures that a pose was seen to have."""
     seen = [int(number) for number in record.postures]
     return Count(max(seen), False) if seen else None
-
-
-def _same_path(witness: Witness, chain: Chain, largest: float) -> Witness | None:
-    """The witness for the slightly different numbers of ``chain``, if it is one."""
-    try:
-        other = certified(chain, close(chain, witness.path), largest)
-    except RetryableError:
-        return None
-    return other if other.verification.accepted else None

@@ -70,7 +70,7 @@ def _letters(model: ExactModel) -> str:
 
 def _of_three(case: Case, regional: ExactModel, clock: Clock) -> Answer:
     """The answer for the arm of three joints, by the ways that are for it."""
-    case = replace(case, model=regional, literal=regional.chain, so_far=None)
+    case = replace(case, model=regional, so_far=None)
     found = by_sample_values(case, clock)
     found = by_all_pairs(replace(case, so_far=found), clock) or found
     assert found is not None, "one of the two has an answer"

@@ -33,8 +33,7 @@ _TRIES = 8
 def by_couple(case: Case, clock: Clock) -> Answer | None:
     """A CUSPIDAL of an exact run with its witness, or UNDECIDED.
 
-    The witness is for the literal numbers, or for the model's if those resist. Without
-    a proved path there is no CUSPIDAL.
+    Without a path proved for the numbers of the chain there is no CUSPIDAL.
     """
     found = case.so_far
     if found is None or not case.certify or not found.is_exact_run:
@@ -42,12 +41,10 @@ def by_couple(case: Case, clock: Clock) -> Answer | None:
     if found.verdict is not Verdict.CUSPIDAL:
         return None
     clock.step("certificate", always=True)
-    failure: UnableError | None = None
-    for chain in dict.fromkeys((case.literal, case.model.chain)):
-        try:
-            return replace(found, witness=find_witness(found, chain))
-        except UnableError as limit:
-            failure = limit
+    try:
+        return replace(found, witness=find_witness(found, case.model.chain))
+    except UnableError as limit:
+        failure = limit
     why = f"there is a cuspidal couple, but its path resists proof: {failure}"
     settle = "a path farther from singular postures"
     return replace(
@@ -64,7 +61,7 @@ def find_witness(answer: Answer, chain: Chain) -> Witness:
 
     Args:
         answer: a CUSPIDAL answer with the decision that found couples.
-        chain: the literal chain, or the chain of the answer's model.
+        chain: the chain of the answer's model, or one with almost its numbers.
 
     Raises:
         UnableError: no proposed path could be proved for these numbers.

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from cuspaudit.auditing.answer import Answer
+from cuspaudit.auditing.carried import carried, refused
 from cuspaudit.auditing.case import Case
 from cuspaudit.auditing.deciders.registry import DECIDERS, EXACT, Decider
 from cuspaudit.kinematics.exact_model import ExactModel
@@ -17,7 +18,8 @@ __all__ = ["answer", "decide"]
 def decide(case: Case, clock: Clock, ways: Sequence[Decider] = DECIDERS) -> Answer:
     """What the ways come to, each told what those before it came to.
 
-    What no way decides is UNDECIDED.
+    What no way decides is UNDECIDED, and so is an arm whose model has not the
+    relations of its chain.
 
     Args:
         case: the arm, and how it is asked.
@@ -29,11 +31,14 @@ def decide(case: Case, clock: Clock, ways: Sequence[Decider] = DECIDERS) -> Answ
             or the tip has no angle).
         CrossCheckError: two routes disagree.
     """
+    without_model = refused(case.model)
+    if without_model is not None:
+        return without_model
     for way in ways:
         with clock.stage(way.stage):
             case = replace(case, so_far=way.decide(case, clock) or case.so_far)
     assert case.so_far is not None, "each task has a way that answers"
-    return case.so_far
+    return carried(case.so_far)
 
 
 def answer(
@@ -53,5 +58,5 @@ def answer(
             or the tip has no angle).
         CrossCheckError: the two routes disagree.
     """
-    case = Case(model, model.chain, engine=engine, certify=False)
+    case = Case(model, engine=engine, certify=False)
     return decide(case, Clock(progress=progress), EXACT)

@@ -22,7 +22,8 @@ def _parallel_axes(model: ExactModel) -> Reduction | None:
         "postures, with opposite signs of det J"
     )
     turning = sum(map(abs, found.signs))
-    return Reduction(found.kind, why, postures={1: 1, 3: 2}.get(turning))
+    postures = {1: 1, 3: 2}.get(turning)
+    return Reduction(found.kind, why, postures=postures, by_relations=True)
 
 
 def _yaw_and_pitch(model: ExactModel) -> Reduction | None:
@@ -33,7 +34,7 @@ def _yaw_and_pitch(model: ExactModel) -> Reduction | None:
         "axes 2, 3, 4 are parallel and at right angles to axis 1: the signs of the "
         "two factors of det J tell all postures of one position and angle apart"
     )
-    return Reduction(found.kind, why)
+    return Reduction(found.kind, why, by_relations=True)
 
 
 PARALLEL_AXES = Theorem(

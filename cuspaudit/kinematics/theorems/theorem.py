@@ -27,6 +27,9 @@ class Reduction:
         aspects: the number of aspects, where the theorem gives it.
         postures: the largest number of postures of a regular pose, likewise.
         is_reversed: whether ``regional`` belongs to the arm taken from tip to base.
+        by_relations: whether its hypotheses are that axes are parallel, meet, are
+            square or not, and nothing else: it then holds of every chain that has the
+            relations of the model (`model_relations`), exact or not.
     """
 
     kind: str
@@ -37,6 +40,7 @@ class Reduction:
     is_reversed: bool = False
     aspects: int | None = None
     postures: int | None = None
+    by_relations: bool = False
 
 
 @dataclass(frozen=True)

@@ -100,6 +100,7 @@ def _apply(model: ExactModel) -> Reduction | None:
         "triple and pair",
         f"{axes}: three signs along a nonsingular path tell all postures of a pose "
         "apart",
+        by_relations=True,
     )
 
 

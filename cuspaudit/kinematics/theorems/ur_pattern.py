@@ -42,6 +42,7 @@ def ur_pattern(model: ExactModel) -> Reduction | None:
         "axes 2, 3, 4 are parallel and axes 1-2, 4-5, 5-6 meet at right angles: the "
         "signs of the three factors of det J tell all postures of a pose apart",
         aspects=8,
+        by_relations=True,
     )
 
 

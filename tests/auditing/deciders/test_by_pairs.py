@@ -42,7 +42,7 @@ def case_of(chain: Chain, so_far: Answer | None = None) -> Case:
     """A case of which nothing is known, and pairs were asked for."""
     model = exact_model(chain)
     unknown = undecided(model, Reason.PAIRS_ASKED, "pairs", "test", (), "pairs")
-    return Case(model, chain, so_far=so_far or unknown)
+    return Case(model, so_far=so_far or unknown)
 
 
 @pytest.mark.parametrize(

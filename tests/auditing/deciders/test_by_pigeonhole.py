@@ -134,7 +134,7 @@ def test_a_model_near_the_arm_is_no_ground() -> None:
         ("fanuc-crx-10ia-l", Verdict.CUSPIDAL),
     ):
         model = model_of(name)
-        found = decide(Case(model, model.chain), Clock(), ways)
+        found = decide(Case(model), Clock(), ways)
         assert found.verdict is verdict
         assert (found.crowd is None) == (verdict is Verdict.UNDECIDED)
         assert answer(model).is_open_for(Reason.NO_THEOREM)

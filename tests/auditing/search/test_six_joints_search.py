@@ -82,7 +82,7 @@ def test_a_searched_arm_is_cuspidal_with_its_certificate() -> None:
     chain = chain_of("kinova-jaco-gen2")
     before = ask(chain)
     assert before.is_open_for(Reason.NO_THEOREM)
-    after = by_search(Case(exact_model(chain), chain, so_far=before), Clock())
+    after = by_search(Case(exact_model(chain), so_far=before), Clock())
     assert after is not None
     witness = after.witness
     assert after.verdict is Verdict.CUSPIDAL
@@ -132,5 +132,5 @@ def test_decided_arms_are_not_searched() -> None:
     for chain in (UR5, CUSPIDAL_3R):
         found = ask(chain)
         assert not found.is_open_for(Reason.NO_THEOREM)
-        case = Case(exact_model(chain), chain, so_far=found)
+        case = Case(exact_model(chain), so_far=found)
         assert by_search(case, Clock()) is None

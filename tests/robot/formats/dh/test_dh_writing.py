@@ -101,14 +101,15 @@ def test_every_arm_comes_back(corpus: Path, back: Back) -> None:
 def test_snapping_an_arm_that_came_back_changes_as_little(
     corpus: Path, back: Back
 ) -> None:
-    """A literal file snaps to the model that its URDF snaps to, within the noise."""
+    """A literal file snaps to the model that its URDF snaps to, within the rounding."""
     rng = np.random.default_rng(1)
     for literal in corpus_chains(corpus):
         postures = rng.uniform(-math.pi, math.pi, (5, len(literal.joints)))
         first, record = snap(literal)
         second, again = snap(back(literal))
         error = np.abs(tips(first, postures) - tips(second, postures)).max()
-        assert error <= 1e-5, literal.name
+        rounding = sum(entry.error or 0.0 for entry in record)
+        assert error <= 1e-5 + rounding, literal.name
         if len(literal.joints) == 6:
             assert structure(second) == structure(first), literal.name
         if all(entry.error is None for entry in record):
