@@ -78,10 +78,11 @@ def ask(chain: Chain) -> Answer:
 def numbers(found: Answer) -> tuple[object, ...]:
     """(verdict, aspects, most postures, cusps, nodes), which no change of frame moves.
 
-    A count that is not proved is given as None.
+    A count that is not proved, for the model at least, is given as None.
     """
     counts = (found.aspects, found.postures, found.cusps, found.nodes)
+    of_model = found.is_exact_run and not found.model.is_exact
     return (
         found.verdict.value,
-        *(c.count if c is not None and c.proved else None for c in counts),
+        *(c.count if c and (c.proved or of_model) else None for c in counts),
     )

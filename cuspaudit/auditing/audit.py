@@ -25,7 +25,6 @@ from cuspaudit.errors import (
     NoAngleError,
 )
 from cuspaudit.kinematics.exact_model import exact_model
-from cuspaudit.robot.chain import Chain
 from cuspaudit.robot.robot import Robot
 from cuspaudit.robot.snapping import faithful, snap
 from cuspaudit.robot.virtual_joint import with_virtual_joint

@@ -5,7 +5,8 @@ Where the model is exact, the two are one arm. Where turns or lengths were moved
 
 - a witness, since a certificate holds the numbers of the chain and none of the model;
 - a theorem that needs relations of the axes only: chain and model have the same ones
-  (`kinematics.model_relations`), and every number between them may be any;
+  (`kinematics.model_relations`), and every number between them may be any; and with it
+  what was found for three joints that are exact;
 - a verdict as such, which then says that it is about a model; its counts are no longer
   called proved.
 """
@@ -35,7 +36,7 @@ def refused(model: ExactModel) -> Answer | None:
 
 def carried(found: Answer) -> Answer:
     """The answer, with nothing called proved that only its model has."""
-    if found.model.is_exact:
+    if found.model.is_exact or _is_of_an_exact_part(found):
         return found
     theorem = found.reduction if _rests_on_relations(found) else None
     keeps_aspects = theorem is not None and theorem.aspects is not None
@@ -50,12 +51,25 @@ def carried(found: Answer) -> Answer:
 
 def is_carried(found: Answer) -> bool:
     """Whether the verdict is proved for the chain, not for a model near it alone."""
-    exact = found.model.is_exact or found.witness is not None
-    return exact or _rests_on_relations(found)
+    return (
+        found.model.is_exact
+        or found.witness is not None
+        or _is_of_an_exact_part(found)
+        or _rests_on_relations(found)
+    )
 
 
 def _rests_on_relations(found: Answer) -> bool:
     return found.reduction is not None and found.reduction.by_relations
+
+
+def _is_of_an_exact_part(found: Answer) -> bool:
+    """Whether three joints decide, and they and their point have exact numbers.
+
+    That they decide is a relation of the other axes, which chain and model share.
+    """
+    regional = found.reduction.regional if found.reduction else None
+    return regional is not None and regional.is_exact
 
 
 def _unproved(count: Count | None) -> Count | None:

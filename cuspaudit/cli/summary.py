@@ -32,7 +32,7 @@ def print_summary(record: Mapping[str, Any], files: Mapping[str, Any]) -> None:
         "locked": ", ".join(f"{k} = {v}" for k, v in robot.get("locked", {}).items()),
         "verdict": f"[{COLOUR[verdict]}]{verdict}[/]",
         "why": proof["why"],
-        "proof": ", ".join([proof["kind"], *proof["rests_on"]]),
+        "proof": ", ".join([proof["kind"], *proof["rests_on"]]) + _of_model(proof),
         "within limits": _within(record.get("limits")),
         "literal": f"{models['literal']} for the numbers exactly as the file has them"
         + _hair(record.get("literal_witness"), record.get("literal_why")),
@@ -81,6 +81,13 @@ def _within(limits: Mapping[str, Any] | None) -> str | None:
     if free is not None and not free["inside"]:
         text += f"; the path without limits leaves them: {free['leaves']}"
     return text
+
+
+def _of_model(proof: Mapping[str, Any]) -> str:
+    """The model that the proof is about, where that is not the arm."""
+    if proof.get("model") != "near":
+        return ""
+    return "; for a model within 1e-12 of the numbers, not for these"
 
 
 def _hair(witness: Mapping[str, Any] | None, why: str | None) -> str:
@@ -167,7 +174,7 @@ def print_import(found: Mapping[str, Any]) -> None:
     console.print(table)
     for entry in found["snapped"]:
         console.print(
-            f"snapped: {entry['where']}: {entry['given']!r} -> {entry['used']} "
+            f"snapped: {entry['where']}: {_given(entry)} -> {entry['used']} "
             f"(difference {entry['difference']:.2e})"
             + (f": {entry['effect']}" if entry["effect"] else ""),
             markup=False,
@@ -181,6 +188,13 @@ def print_import(found: Mapping[str, Any]) -> None:
             markup=False,
         )
     _print_map(console, found["map"])
+
+
+def _given(entry: Mapping[str, Any]) -> str:
+    """What stood there, with the error of an invariant."""
+    if entry["error"] is None:
+        return repr(entry["given"])
+    return f"{entry['given']:.12g} +- {entry['error']:.1e}"
 
 
 def _print_map(console: Console, entries: Mapping[str, Any]) -> None:

@@ -79,9 +79,11 @@ def _decided(family: Family, index: int) -> Row:
         "exact": found.model.is_exact,
         "why": found.why if found.undecided else None,
     }
-    row |= {name: _proved(counts[name]) for name in family.record if name in counts}
+    row |= {
+        name: _counted(found, counts[name]) for name in family.record if name in counts
+    }
     if "within_limits" in family.record:
-        row["within_limits"] = _within_limits(found, chain, family.seed)
+        row["within_limits"] = _within_limits(found, model.chain, family.seed)
     if "clearance" in family.record:
         row["clearance"] = _clearance(found, model.chain)
     return row
@@ -104,8 +106,12 @@ def _proof(found: Answer) -> str:
     return "exact" if found.reduction is None else "reduction"
 
 
-def _proved(count: Count | None) -> int | None:
-    return count.count if count is not None and count.proved else None
+def _counted(found: Answer, count: Count | None) -> int | None:
+    """A count that is proved, or that of a model where ``exact`` says it is one."""
+    if count is None:
+        return None
+    of_model = found.is_exact_run and not found.model.is_exact
+    return count.count if count.proved or of_model else None
 
 
 def _clearance(found: Answer, chain: Chain) -> float | None:

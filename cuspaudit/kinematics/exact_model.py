@@ -37,7 +37,7 @@ from cuspaudit.robot.chain import (
     Rotation,
     Translation,
 )
-from cuspaudit.robot.fixed_motions import absorb_zero, joined_turns, split_tool
+from cuspaudit.robot.fixed_motions import split_tool, without_zeros
 from cuspaudit.robot.frames import angle_value
 from cuspaudit.robot.virtual_joint import with_virtual_joint
 
@@ -62,11 +62,14 @@ class Approximation:
         difference: a bound on the distance, in rad.
         is_idle: whether it only turns the base, or the tip where the task does not
             ask for it: the arm is the same.
+        joint: the number of the joint that it stands before, or whose axis it is, from
+            1; 0 where it may be any.
     """
 
     where: str
     difference: float
     is_idle: bool = False
+    joint: int = 0
 
 
 @dataclass(frozen=True)
@@ -151,36 +154,37 @@ def exact_model(chain: Chain, tolerance: Fraction = TOLERANCE) -> ExactModel:
         tolerance: how far, in rad, an angle or an axis may be moved to a rational one.
     """
     chain = with_virtual_joint(chain)
-    plan = [absorb_zero(joint) for joint in chain.joints]
-    befores = [joined_turns(joint.before) for joint, _ in plan]
-    tip, idle = split_tool(chain)
-    rest = [motion for before in befores[1:] for motion in before]
+    fixed = without_zeros(chain)
+    tip, idle = split_tool(chain, fixed.tool)
+    rest = [motion for before in fixed.before[1:] for motion in before]
     ring = Ring(_variables(chain), _radicand(chain, [*rest, *tip]))
     seen = [Approximation(where, float(tolerance)) for where in chain.near]
 
-    def product(motions: Sequence[Motion], where: str, is_idle: bool) -> Transform:
-        result, exact = _product(ring, motions, tolerance)
-        seen.extend(
-            Approximation(f"{where}, {what}", float(tolerance), is_idle)
-            for what in exact
-        )
+    def note(where: str, joint: int, is_idle: bool = False) -> None:
+        seen.append(Approximation(where, float(tolerance), is_idle, joint))
+
+    def product(
+        motions: Sequence[Motion], where: str, joint: int, is_idle: bool
+    ) -> Transform:
+        result, near = _product(ring, motions, tolerance)
+        for what in near:
+            note(f"{where}, {what}", joint, is_idle)
         return result
 
     joints = []
-    for number, ((joint, offset), moves) in enumerate(
-        zip(plan, befores, strict=True), 1
+    for number, (joint, moves, zero_angle) in enumerate(
+        zip(chain.joints, fixed.before, fixed.zeros, strict=True), 1
     ):
-        before = product(moves, f"{joint.name} before", number == 1)
+        before = product(moves, f"{joint.name} before", number, number == 1)
         axis, exact = unit_vector(joint.axis, tolerance)
         if not exact:
-            seen.append(Approximation(f"{joint.name} axis", float(tolerance)))
-        names = _names(number, joint)
+            note(f"{joint.name} axis", number)
+        names, unit = _names(number, joint), column(ring, axis)
         joints.append(
-            ExactJoint(
-                joint.name, joint.kind, before, column(ring, axis), offset, names
-            )
+            ExactJoint(joint.name, joint.kind, before, unit, zero_angle, names)
         )
-    tool = product(tip, "tool", False) @ product(idle, "tool", True)
+    last = len(joints) + 1
+    tool = product(tip, "tool", last, False) @ product(idle, "tool", last, True)
     return ExactModel(chain, ring, tuple(joints), tool, tuple(seen))
 
 

@@ -4,9 +4,10 @@ A pair takes one of three forms, and each says where the axes meet their common 
 
 - *skew*: the common normal is well known.
 - *parallel*: |u x v| is 0 within the errors of the numbers and the floor of the policy.
-- *tilted*: nearly parallel, and the feet of the common normal known worse than to
-  0.1 mm. The second axis is met in the plane square to the first through a given point
-  instead, and a turn about y takes up the tilt (Hayati): no offsets of kilometers.
+- *tilted*: nearly parallel: within 1e-3 rad, or so that the feet of the common normal
+  are known worse than to 0.1 mm. The second axis is met in the plane square to the
+  first through a given point instead, and a turn about y takes up the tilt (Hayati): no
+  offsets of kilometers.
 """
 
 from __future__ import annotations
@@ -23,7 +24,8 @@ from cuspaudit.robot.lines import Ball, cross, dot, minus
 from cuspaudit.robot.links import scaled, unit
 
 __all__ = [
-    "CAP",
+    "CAP_ANGLE",
+    "CAP_LENGTH",
     "Floor",
     "Form",
     "Meeting",
@@ -33,11 +35,15 @@ __all__ = [
     "turn_angle",
 ]
 
-CAP = 2e-3
-"""m and rad: a number known no better than this is never taken for a special one."""
+CAP_LENGTH, CAP_ANGLE = 2e-4, 5e-4
+"""m and rad: no more than this is ever put down to the rounding of a file.
+
+A genuine offset of 0.35 mm stays, however few digits the file has.
+"""
 
 _TYPED = Fraction(1, 10**40)
 _SIMPLE = 10**15
+_NEARLY = 1e-3
 _FLAT = 0.1
 _FOOT = 1e-4
 Form = Literal["skew", "parallel", "tilted"]
@@ -59,7 +65,7 @@ class Floor:
 
     def is_zero_length(self, ball: arb, extra: float = 0.0) -> bool:
         """Whether a length is taken for 0, ``extra`` being what moved it."""
-        cap = CAP * self.unit
+        cap = CAP_LENGTH * self.unit
         reach = min(float(ball.rad()), cap) + self.length + min(extra, cap)
         return abs(float(ball.mid())) <= reach
 
@@ -116,13 +122,10 @@ class Pair:
         tilt = length_of(cross(u, v))
         size, error = float(tilt.mid()), float(tilt.rad())
         pair = cls(u, v, p, "skew", tilt, floor)
-        if size <= min(error, CAP) + floor.angle:
+        if size <= min(error, CAP_ANGLE) + floor.angle:
             return cls(u, v, p, "parallel", tilt, floor)
-        if size < _FLAT:
-            feet = pair.feet()
-            known = max(float(foot.rad()) for foot in feet) < _FOOT * floor.unit
-            if not (known and all(foot.is_finite() for foot in feet)):
-                return cls(u, v, p, "tilted", tilt, floor)
+        if size < _NEARLY or (size < _FLAT and not pair.knows_feet()):
+            return cls(u, v, p, "tilted", tilt, floor)
         return pair
 
     @property
@@ -140,6 +143,14 @@ class Pair:
         """By how much a twist has to be moved to be parallel, beyond its error."""
         size, error = float(self.tilt.mid()), float(self.tilt.rad())
         return size if self.form == "parallel" and size > error else 0.0
+
+    def knows_feet(self) -> bool:
+        """Whether the ends of the common normal are known to 0.1 mm."""
+        feet = self.feet()
+        widest = max(float(foot.rad()) for foot in feet)
+        return all(foot.is_finite() for foot in feet) and widest < _FOOT * (
+            self.floor.unit
+        )
 
     def feet(self) -> tuple[arb, arb]:
         """The coordinates of the common normal of skew axes along each of them."""

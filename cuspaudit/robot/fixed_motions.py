@@ -7,15 +7,14 @@ joint places the base. What follows the last joint matters as far as the task as
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass
 from fractions import Fraction
-from itertools import takewhile
+from itertools import pairwise, takewhile
 
 from cuspaudit.robot.axes import unit_axis
 from cuspaudit.robot.chain import (
     Angle,
     Chain,
-    Joint,
     Motion,
     Rotation,
     Translation,
@@ -24,12 +23,13 @@ from cuspaudit.robot.chain import (
 from cuspaudit.robot.virtual_joint import with_virtual_joint
 
 __all__ = [
-    "absorb_zero",
+    "FixedMotions",
     "geometry",
     "has_exact_cosine",
     "is_algebraic",
     "joined_turns",
     "split_tool",
+    "without_zeros",
 ]
 
 _FIELDS = {1: 1, 2: 1, 4: 2, 3: 3, 6: 3}
@@ -57,39 +57,74 @@ def joined_turns(motions: Sequence[Motion]) -> tuple[Motion, ...]:
     return tuple(result)
 
 
-def absorb_zero(joint: Joint) -> tuple[Joint, Angle]:
-    """The joint without the turns about its own axis before it, and their angle."""
-    before, zero = list(joint.before), Angle()
-    if joint.kind == "revolute":
-        while before and isinstance(before[-1], Rotation):
-            factor = _ratio(before[-1].axis, joint.axis)
-            if factor is None:
-                break
-            last = before.pop()
-            assert isinstance(last, Rotation)
-            zero = zero + (last.angle if factor > 0 else -last.angle)
-    return replace(joint, before=tuple(before)), zero
+@dataclass(frozen=True, slots=True)
+class FixedMotions:
+    """The fixed motions of a chain without the turns that are zeros of its joints.
+
+    Attributes:
+        before: before each joint, base to tip.
+        zeros: what a joint turns by when its value is 0, base to tip.
+        tool: after the last joint.
+    """
+
+    before: tuple[tuple[Motion, ...], ...]
+    zeros: tuple[Angle, ...]
+    tool: tuple[Motion, ...]
 
 
-def split_tool(chain: Chain) -> tuple[tuple[Motion, ...], tuple[Motion, ...]]:
+def without_zeros(chain: Chain) -> FixedMotions:
+    """The fixed motions, without the turns about a joint's own axis on either side."""
+    parts = [list(joined_turns(joint.before)) for joint in chain.joints]
+    parts.append(list(joined_turns(chain.tool)))
+    zeros = []
+    for joint, (before, after) in zip(chain.joints, pairwise(parts), strict=True):
+        zero = Angle()
+        if joint.kind == "revolute":
+            while before and (turn := _about(joint.axis, before[-1])) is not None:
+                before.pop()
+                zero += turn
+            while after and (turn := _about(joint.axis, after[0])) is not None:
+                after.pop(0)
+                zero += turn
+        zeros.append(zero)
+    *befores, tool = map(tuple, parts)
+    return FixedMotions(tuple(befores), tuple(zeros), tool)
+
+
+def _about(axis: Vector, motion: Motion) -> Angle | None:
+    """The angle of a turn about ``axis``, or None."""
+    if not isinstance(motion, Rotation):
+        return None
+    factor = _ratio(motion.axis, axis)
+    if factor is None:
+        return None
+    return motion.angle if factor > 0 else -motion.angle
+
+
+def split_tool(
+    chain: Chain, tool: tuple[Motion, ...]
+) -> tuple[tuple[Motion, ...], tuple[Motion, ...]]:
     """What of the motion after the last joint the task asks for, and the rest.
 
     A pose of the tip is known from that of any frame fixed to it. For a position the
     last turns do not count. The virtual joint of a tool axis is taken for a joint.
+
+    Args:
+        chain: whose task it is.
+        tool: the motion, without what is a zero of the last joint.
     """
-    motions = joined_turns(chain.tool)
     if chain.task == "pose":
-        return (), motions
-    turns = takewhile(lambda motion: isinstance(motion, Rotation), reversed(motions))
-    deciding = len(motions) - len(list(turns))
-    return motions[:deciding], motions[deciding:]
+        return (), tool
+    turns = takewhile(lambda motion: isinstance(motion, Rotation), reversed(tool))
+    deciding = len(tool) - len(list(turns))
+    return tool[:deciding], tool[deciding:]
 
 
 def geometry(chain: Chain) -> list[tuple[Motion, ...]]:
     """The motions that decide: between the joints, and from the last one to the tip."""
     chain = with_virtual_joint(chain)
-    between = [joined_turns(absorb_zero(j)[0].before) for j in chain.joints[1:]]
-    return [*between, split_tool(chain)[0]]
+    fixed = without_zeros(chain)
+    return [*fixed.before[1:], split_tool(chain, fixed.tool)[0]]
 
 
 def is_algebraic(chain: Chain) -> bool:

@@ -3,8 +3,8 @@
 The structural values are 0 for a length, and the multiples of 30 and 45 degrees for an
 angle. A ball that reaches one, by its own radius and the floor of the policy, is read
 as that. Any other number is the shortest decimal of its ball; the floor serves
-relations only and moves no other number. A ball wider than `axis_pair.CAP` counts as
-that wide.
+relations only and moves no other number. A ball wider than the caps of `axis_pair`
+counts as that wide.
 
 A number that was typed has a ball of the computation alone, about 1e-90. It is read
 as the simple fraction in it; where there is none (a length such as 0.035 sqrt 2) the
@@ -19,7 +19,7 @@ from fractions import Fraction
 from flint import arb, fmpq
 
 from cuspaudit.algebra.rationals import exact_rational
-from cuspaudit.robot.axis_pair import CAP, Floor, simple_fraction
+from cuspaudit.robot.axis_pair import CAP_ANGLE, CAP_LENGTH, Floor, simple_fraction
 from cuspaudit.robot.chain import Angle
 from cuspaudit.robot.numbers import decimal_places, format_angle, format_rational
 from cuspaudit.robot.printed_angles import PI, is_printed
@@ -29,6 +29,7 @@ __all__ = ["Reader", "Reading"]
 _FINEST = 24
 _PRINTED_NOISE = 1e-8
 _ZERO = 1e-12
+_RELATIVE = 1e-6
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,8 +68,8 @@ class Reader:
         floor: what counts as structural beyond a ball.
         slack: what a decimal may be off beyond its ball, in m and rad.
         reads_pi: whether 1.571 among angles is pi/2.
-        is_rounded: whether the numbers carry errors of their own; those that do not
-            are other numbers where they are read as decimals.
+        is_rounded: whether the numbers carry errors of their own. Those that do not
+            are other numbers where they are read as decimals; none is read as 0 then.
     """
 
     floor: Floor
@@ -84,13 +85,13 @@ class Reader:
 
     def offset(self, ball: arb) -> Reading:
         """A length that has no structural value: the zero of a slide."""
-        reach = min(float(ball.rad()), CAP * self.floor.unit)
-        value = _decimal(ball, reach + self.slack * self.floor.unit)
+        reach = min(float(ball.rad()), CAP_LENGTH * self.floor.unit)
+        value = _decimal(ball, reach + self._slack(ball) * self.floor.unit)
         return self._reading(value, ball, value == 0)
 
     def angle(self, ball: arb) -> Reading:
         """An angle between two axes, or between two common normals."""
-        reach = min(float(ball.rad()), CAP)
+        reach = min(float(ball.rad()), CAP_ANGLE)
         for parts in (6, 4):
             multiple = Fraction(round(parts * float(ball.mid()) / float(PI)), parts)
             off = ball.mid() - _half_turns(multiple)
@@ -100,7 +101,13 @@ class Reader:
             printed = _printed(ball)
             if printed is not None:
                 return self._turn(Angle(printed), ball, True)
-        return self._plain(ball, min(float(ball.rad()), CAP) + self.slack)
+        reach = min(float(ball.rad()), CAP_ANGLE)
+        return self._plain(ball, reach + self._slack(ball))
+
+    def _slack(self, ball: arb) -> float:
+        if self.is_rounded:
+            return self.slack
+        return min(self.slack, _RELATIVE * abs(float(ball.mid())))
 
     def zero(self, ball: arb) -> Angle:
         """The zero of a joint, which is no invariant: the middle of the ball."""
@@ -112,7 +119,7 @@ class Reader:
         pi = arb.pi()
         degrees = _decimal(ball * 180 / pi, reach * 180 / float(PI))
         radians = _decimal(ball, reach)
-        if len(format_rational(degrees)) <= len(format_rational(radians)) + 1:
+        if len(format_rational(degrees)) <= len(format_rational(radians)):
             angle = Angle(degrees / 180)
         else:
             angle = Angle(radians=radians)

@@ -55,6 +55,9 @@ def relations(chain: Chain) -> frozenset[str]:
 def relations_of_lines(chain: Chain, lines: list[Line], tip: Ball) -> frozenset[str]:
     """The sentences that hold of the axes ``lines`` and of ``tip``, in any frame.
 
+    A slide has a direction and no line: with it axes are parallel or square, and no
+    more.
+
     Assumed is that ``ctx.prec`` is `BITS`.
 
     Args:
@@ -64,7 +67,11 @@ def relations_of_lines(chain: Chain, lines: list[Line], tip: Ball) -> frozenset[
     """
     found: set[str] = set()
     for k, (line, after) in enumerate(pairwise(lines), 1):
-        found |= {f"axes {k} and {k + 1} {word}" for word in _pair(line, after)}
+        slides = "prismatic" in chain.kinds[k - 1 : k + 1]
+        words = (
+            _twist(line.direction, after.direction) if slides else _pair(line, after)
+        )
+        found |= {f"axes {k} and {k + 1} {word}" for word in words}
     for first, last in _level(lines, None if chain.task == "pose" else tip):
         if "prismatic" not in chain.kinds[first - 1 : last]:
             found.add(_no_offset(first, last, found))

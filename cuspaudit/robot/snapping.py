@@ -113,9 +113,9 @@ def faithful(chain: Chain) -> Chain:
 
 def _by_invariants(chain: Chain, policy: SnapPolicy) -> Canonical:
     found = invariants(chain, policy)
-    is_rounded = found.printed.is_generic
-    coarse = policy.length > 0 and (is_rounded or found.printed.digits >= _LONG)
-    slack = _ROUNDING if coarse else _NO_ROUNDING
+    printed = found.printed
+    is_rounded = policy.length > 0 and (printed.is_generic or printed.digits >= _LONG)
+    slack = _ROUNDING if is_rounded else _NO_ROUNDING
     reader = Reader(found.floor, slack, policy.printed, is_rounded)
     return canonical(found, reader)
 
@@ -174,7 +174,8 @@ def _listed(taken: Sequence[Taken]) -> list[Snapped]:
             entry.reading.error,
         )
         for entry in taken
-        if abs(entry.reading.difference) > (_EXACT if entry.relation else _NOISE)
+        if not entry.reading.is_near
+        and abs(entry.reading.difference) > (_EXACT if entry.relation else _NOISE)
     ]
 
 

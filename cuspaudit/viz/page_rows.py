@@ -147,8 +147,16 @@ def proof_rows(audit: Audit) -> list[tuple[str, str]]:
         ("Reduction", proof.get("reduction")),
         ("Engine", proof.get("engine")),
         ("Rests on", ", ".join(map(str, proof.get("rests_on") or []))),
+        ("Proved for", _NUMBERS.get(str(proof.get("model")))),
     ]
     return [(label, str(text)) for label, text in rows if text]
+
+
+_NUMBERS = {
+    "literal": "the numbers of the file",
+    "snapped": "the snapped numbers, listed below",
+    "near": "a model within 1e-12 of the numbers, and not for these",
+}
 
 
 def no_path_reason(audit: Audit) -> str:

@@ -145,7 +145,7 @@ def test_cusps_stand_at_the_published_points(
 ) -> None:
     """A numeric search finds the published cusps to 4 digits, as many as are proved."""
     chain = arm(*table)
-    found = sorted(numeric_cusps(chain))
+    found = sorted((round(r, 6), round(z, 6)) for r, z in numeric_cusps(chain))
     assert np.allclose(found, sorted(published), atol=6e-5)
     assert numbers(ask(chain))[3] == len(found)
 
@@ -334,7 +334,7 @@ def check_generic_theorem(chain: Chain) -> None:
     """Cuspidal if and only if there is a cusp; at most 4 postures; parity."""
     found = ask(chain)
     assert found.cusps is not None
-    assert found.cusps.proved
+    assert found.cusps.proved == found.model.is_exact
     assert (found.verdict is Verdict.CUSPIDAL) == (found.cusps.count > 0)
     assert found.postures is not None
     assert found.postures.count <= 4

@@ -13,7 +13,7 @@ from cuspaudit.errors import UnableError
 from cuspaudit.kinematics.exact_model import ExactModel, exact_model
 from cuspaudit.kinematics.export import inverse_kinematics, msolve_system, poly_text
 from cuspaudit.kinematics.polynomial_map import polynomial_map
-from cuspaudit.robot.chain import Angle, Rotation
+from cuspaudit.robot.chain import X_AXIS, Angle, Rotation
 from cuspaudit.robot.formats.read_robot import read_robot
 
 ROBOTS = Path(cuspaudit.__file__).parents[1] / "robots"
@@ -45,7 +45,7 @@ def test_a_zero_offset_and_an_approximation_are_said() -> None:
     chain = read_robot(ROBOTS / "chablat-2022-3r.yaml").chain
     turn = Rotation(chain.joints[0].axis, Angle(Fraction(-1, 2)))
     first = replace(chain.joints[0], before=(turn,))
-    odd = Rotation(turn.axis, Angle(radians=Fraction(7, 10)))
+    odd = Rotation(X_AXIS, Angle(radians=Fraction(7, 10)))
     second = replace(chain.joints[1], before=(odd, *chain.joints[1].before))
     text = poly_text(exact_model(chain.with_joints([first, second, chain.joints[2]])))
     assert "c1, s1 = cos, sin(theta1 - pi/2) of joint 1" in text

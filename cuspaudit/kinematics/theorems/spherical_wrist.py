@@ -36,7 +36,7 @@ from cuspaudit.kinematics.neighbors import (
     orthogonal,
 )
 from cuspaudit.kinematics.theorems.theorem import Reduction, Theorem
-from cuspaudit.kinematics.transform import Column, Transform, dot
+from cuspaudit.kinematics.transform import Column, Transform, cross, dot
 from cuspaudit.robot.chain import Translation, Vector
 
 __all__ = ["SPHERICAL_WRIST", "spherical_wrist"]
@@ -70,8 +70,9 @@ def _meets_at_right_angles(model: ExactModel) -> bool:
 def _regional(model: ExactModel) -> ExactModel:
     """The first three joints, moving the wrist center.
 
-    Its model is exact; the tool of its chain, which only a search in floating point
-    reads, holds the wrist center to the working precision.
+    The tool of its chain, which only a search in floating point reads, holds the wrist
+    center to the working precision. What was approximated in the wrist itself does not
+    move that center where the frame of axis 5 lies on axis 4.
     """
     ring, fourth = model.ring, model.joints[3]
     fifth = model.joints[4].before.translation
@@ -84,7 +85,16 @@ def _regional(model: ExactModel) -> ExactModel:
         task="position",
         tool=(*model.chain.joints[3].before, step),
     )
-    return replace(model, chain=chain, joints=model.joints[:3], tool=tool)
+    approximations = model.approximations
+    if not any(cross(ring, fifth, fourth.axis)):
+        approximations = tuple(a for a in approximations if a.joint <= 4)
+    return replace(
+        model,
+        chain=chain,
+        joints=model.joints[:3],
+        tool=tool,
+        approximations=approximations,
+    )
 
 
 def _near(ring: Ring, point: Column) -> Vector:
