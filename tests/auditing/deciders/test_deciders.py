@@ -20,7 +20,7 @@ from cuspaudit.runtime.clock import Clock
 def test_a_pose_that_proves_an_arm_cuspidal_does_not_end_the_search() -> None:
     """The CRX: the pigeon-hole decides, and a path is still searched and proved."""
     chain = open_robot("fanuc-crx-10ia-l").chain
-    found = decide(Case(exact_model(chain), chain), Clock())
+    found = decide(Case(exact_model(chain)), Clock())
     assert found.verdict is Verdict.CUSPIDAL
     assert found.crowd is not None
     assert found.engine == "search"
@@ -49,7 +49,7 @@ def test_each_way_hears_of_those_before_it() -> None:
 
     ways = [Decider("one", opening), Decider("two", silent), Decider("two", last)]
     clock = Clock()
-    found = decide(Case(model, model.chain), clock, ways)
+    found = decide(Case(model), clock, ways)
     assert heard == [None, first, first]
     assert found.why == "because, still"
     assert found.undecided == replace(first.undecided, why="because, still")
