@@ -177,7 +177,8 @@ def stopped(model: ExactModel, error: UnableError | RetryableError) -> Answer:
         settle = "more bits, or another chart"
         reason, step = Reason.PRECISION, "precision"
     else:
-        settle, step = "a more general engine", error.step
         late = isinstance(error, TimeLimitError)
+        settle = "more time (--timeout)" if late else "a more general engine"
+        step = error.step
         reason = Reason.TIME_LIMIT if late else Reason.OUT_OF_REACH
     return undecided(model, reason, step, str(error), (), settle)

@@ -18,6 +18,7 @@ from typing import Any
 from markupsafe import Markup
 
 from cuspaudit.certificate_js import checker_script
+from cuspaudit.viz.advice import advice, file_name, margin_words, undecided_words
 from cuspaudit.viz.limit_rows import cut_rows, limit_rows, limit_words
 from cuspaudit.viz.offline import asset, environment, policy
 from cuspaudit.viz.page_rows import (
@@ -74,6 +75,10 @@ def render_page(
             cuts=cut_rows(audit),
             postures=posture_rows(audit, scene),
             no_path=no_path_reason(audit),
+            advice=advice(audit),
+            file=file_name(audit),
+            margin=margin_words(audit),
+            undecided=undecided_words(audit),
             certificate=_certificate(audit, certificate),
             audit_link=_data_link(json.dumps(audit, indent=1, default=str)),
             drawing=_finite(scene.drawing) if scene else None,

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from cuspaudit.robot.distance_text import distance_text, structure_words
+from cuspaudit.viz.advice import undecided_words
 from cuspaudit.viz.scene.scene import Scene
 
 __all__ = [
@@ -168,11 +169,7 @@ def no_path_reason(audit: Audit) -> str:
         return "No path is shown because none exists: that is what the verdict says."
     if verdict == "cuspidal":
         return "No path is shown because the audit's proof does not contain one."
-    reason = audit.get("undecided")
-    if isinstance(reason, Mapping):
-        reason = ": ".join(str(part) for part in reason.values() if part)
-    because = f" The search stopped: {str(reason).rstrip('.')}." if reason else ""
-    return f"No path is shown because none was found.{because}"
+    return f"No path is shown because none was found. {undecided_words(audit)}".strip()
 
 
 def counts(audit: Audit) -> list[CountRow]:
