@@ -22,7 +22,7 @@ from cuspaudit.robot.library import open_robot
 FILE = Path(cuspaudit.__file__).parent / "auditing" / "schema.json"
 SCHEMA = json.loads(FILE.read_text())
 ROUTING = Options(engine="routing")
-module = import_module("cuspaudit.auditing.deciders.three_joints")
+module = import_module("cuspaudit.cuspidality.decision")
 
 
 @pytest.mark.slow
