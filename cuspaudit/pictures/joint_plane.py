@@ -17,6 +17,7 @@ from cuspaudit.algebra.angles import FULL_TURN, shortest_turn
 from cuspaudit.cuspidality.surface_path import posture_angles
 from cuspaudit.pictures.critical_curve import Band, CurvePiece, bands
 from cuspaudit.pictures.joint_surface import Array, JointSurface
+from cuspaudit.pictures.limit_lines import limit_sides
 from cuspaudit.pictures.value_plane import finite_runs
 from cuspaudit.surface.graph_isotop import RoadmapGraph
 from cuspaudit.surface.sample_points import Fiber
@@ -56,6 +57,7 @@ def joint_plane(
         postures=sheet.home(surface.joint_values(ends)),
         posture_aspects=numbers,
         paths=() if path is None else tuple(sheet.copies(path)),
+        limits=tuple(c for s in limit_sides(surface) for c in sheet.copies(s)),
     )
 
 

@@ -17,6 +17,7 @@ from cuspaudit.algebra.ring import Rational
 from cuspaudit.pictures.critical_curve import CurvePiece
 from cuspaudit.pictures.cusps_and_nodes import CriticalPoints
 from cuspaudit.pictures.joint_surface import Array, JointSurface
+from cuspaudit.pictures.limit_lines import limit_sides
 from cuspaudit.surface.sample_points import Fiber
 from cuspaudit.viz.plot.data import ValuePlane, Window
 
@@ -62,6 +63,7 @@ def value_plane(
         focus=surface.plane(_values([focus]))[0],
         grid=_counts(surface, window),
         beyond=int((~inside.all(axis=1)).sum()),
+        limits=tuple(_image(surface, side) for side in limit_sides(surface)),
     )
 
 

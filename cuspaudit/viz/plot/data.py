@@ -41,6 +41,7 @@ class ValuePlane:
         focus: (2,) the value whose postures are drawn in the plane of joints.
         grid: (rows from the bottom, columns) number of postures, in floating point.
         beyond: how many of ``samples`` lie outside the window.
+        limits: (m, 2) polylines: the images of the limits of joints 2 and 3.
     """
 
     labels: tuple[str, str]
@@ -54,6 +55,7 @@ class ValuePlane:
     focus: Array
     grid: NDArray[np.int64]
     beyond: int
+    limits: tuple[Array, ...] = ()
 
 
 @dataclass(frozen=True, eq=False)
@@ -89,6 +91,7 @@ class JointPlane:
         posture_aspects: the number of the aspect of each.
         paths: (m, 2) copies of the path between two postures of one aspect; () when
             no two share one.
+        limits: (m, 2) copies of the sides of the box that joint limits make.
     """
 
     labels: tuple[str, str]
@@ -99,6 +102,7 @@ class JointPlane:
     postures: Array
     posture_aspects: tuple[int, ...]
     paths: tuple[Array, ...]
+    limits: tuple[Array, ...] = ()
 
 
 @dataclass(frozen=True, eq=False)

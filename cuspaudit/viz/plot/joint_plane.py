@@ -14,6 +14,7 @@ from cuspaudit.viz.plot.style import (
     BLACK,
     DARK,
     RED,
+    draw_limits,
     frame,
     halo,
     legend,
@@ -70,6 +71,7 @@ def plot_joint_plane(axes: Any, data: JointPlane, note: Note | None = None) -> N
     shown.append(axes.plot([], [], color=RED, lw=1.5, label="singular postures")[0])
     shown.append(axes.plot([], [], color=BLACK, lw=0.9, label="roadmap")[0])
     shown[-1].set_color(DARK[1])
+    shown += draw_limits(axes, data.limits, "joint limits", note)
     for path in data.paths:
         (edge,) = axes.plot(*path.T, color="white", lw=4.2, zorder=4)
         (mark,) = axes.plot(*path.T, color=BLACK, lw=2.0, zorder=4, dashes=(3, 1.5))

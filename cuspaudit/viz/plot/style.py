@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable, Sequence
 from typing import Any
 
 from cuspaudit.viz.plot.data import Array, Window
@@ -12,6 +13,7 @@ __all__ = [
     "BLUE",
     "DARK",
     "RED",
+    "draw_limits",
     "frame",
     "halo",
     "legend",
@@ -21,7 +23,7 @@ __all__ = [
     "swatch",
 ]
 
-RED, BLACK, BLUE = "#c4161c", "#111111", "#1f4fd8"
+RED, BLACK, BLUE, PURPLE = "#c4161c", "#111111", "#1f4fd8", "#7b2fa0"
 DARK = {1: "#00684a", -1: "#1c4f93"}
 
 
@@ -47,6 +49,18 @@ def mark_at(
         zorder=7,
     )
     return mark
+
+
+def draw_limits(
+    axes: Any, lines: Sequence[Array], name: str, note: Callable[[Any, str, str], None]
+) -> list[Any]:
+    """The sides of a box of joint limits, or their images; what the legend shows."""
+    for line in lines:
+        (mark,) = axes.plot(*line.T, color=PURPLE, lw=1.5, ls="--", zorder=5)
+        note(mark, "limits", name)
+    if not lines:
+        return []
+    return [axes.plot([], [], color=PURPLE, lw=1.5, ls="--", label=name)[0]]
 
 
 def frame(

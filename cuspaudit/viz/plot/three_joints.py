@@ -22,6 +22,7 @@ LAYERS = {
     "aspects": "aspects",
     "roadmap": "roadmap",
     "path": "nonsingular path",
+    "limits": "joint limits",
     "postures": "postures of one value",
 }
 

@@ -15,6 +15,7 @@ from cuspaudit.viz.plot.style import (
     BLACK,
     BLUE,
     RED,
+    draw_limits,
     frame,
     legend,
     mark_at,
@@ -52,6 +53,7 @@ def plot_value_plane(axes: Any, data: ValuePlane, note: Note | None = None) -> N
         mark.set_solid_capstyle("round")
         note(mark, "curve", "")
     shown = [axes.plot([], [], color=RED, lw=1.5, label="critical values")[0]]
+    shown += draw_limits(axes, data.limits, "values at joint limits", note)
     marks = (
         (data.points, "o", RED, RED, 4, "a whole critical fiber"),
         (data.nodes, "s", "none", BLACK, 8, "node"),

@@ -118,12 +118,15 @@ def test_the_page_stands_alone_and_a_name_is_only_a_name() -> None:
 
 def test_every_layer_that_is_drawn_can_be_hidden() -> None:
     """Each mark belongs to a layer, and each layer of this arm has its box."""
-    page, svg = page_text(both()), svg_text(both())
+    side = np.array([[-1.0, -1.0], [-1.0, 1.0]])
+    shown = replace(both(), joint=replace(joint(), limits=(side,)))
+    page, svg = page_text(shown), svg_text(shown)
     for layer in LAYERS:
         assert f'id="{layer}-' in svg
         assert f'id="show-{layer}"' in page
     empty = replace(both(), joint=replace(joint(), paths=()))
     assert 'id="show-path"' not in page_text(empty)
+    assert 'id="show-limits"' not in page_text(empty)
 
 
 def test_the_page_knows_the_postures_of_every_cell() -> None:
