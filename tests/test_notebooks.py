@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import re
 import time
 from pathlib import Path
 
 import nbformat
 import pytest
 from nbclient import NotebookClient
+
+import cuspaudit
 
 NOTEBOOKS = sorted((Path(__file__).parents[1] / "notebooks").glob("*.ipynb"))
 
@@ -32,6 +35,16 @@ def test_a_lesson_is_stored_without_outputs(path: Path) -> None:
         if cell.cell_type == "code":
             assert not cell.outputs
             assert cell.execution_count is None
+
+
+@pytest.mark.parametrize("name", ["02-auditing-a-cobot", "03-families"])
+def test_a_users_lesson_imports_public_names_only(name: str) -> None:
+    """Lessons for users need `cuspaudit` itself; the others open up what is inside."""
+    (path,) = (path for path in NOTEBOOKS if path.stem == name)
+    code = "\n".join(c.source for c in read(path).cells if c.cell_type == "code")
+    assert "import cuspaudit as cu" in code
+    assert not re.search(r"cuspaudit\.\w+ import|import cuspaudit\.", code)
+    assert set(re.findall(r"\bcu\.(\w+)", code)) <= set(cuspaudit.__all__)
 
 
 @pytest.mark.slow
