@@ -33,7 +33,7 @@ ALLOWED = {
     "toolpath": AUDIT | {"toolpath"},
     "family": AUDIT,
     "viz": {"errors", "certificate", "certificate_js", "robot"},
-    "pictures": AUDIT | {"viz"},
+    "pictures": AUDIT | {"toolpath", "viz"},
     "atlas": AUDIT | {"viz", "pictures"},
     "api": AUDIT | {"toolpath", "family", "viz", "pictures"},
     "cli": AUDIT | {"toolpath", "family", "viz", "pictures", "atlas", "api"},

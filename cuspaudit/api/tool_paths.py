@@ -19,6 +19,7 @@ from cuspaudit.robot.place import Place
 from cuspaudit.robot.robot import Robot
 from cuspaudit.robot.snap_policy import policy_from_name
 from cuspaudit.robot.snapping import snap as snapped
+from cuspaudit.runtime.writing import write_text
 from cuspaudit.toolpath.joint_pose import JointValue, pose_of_joints
 from cuspaudit.toolpath.postures import Posture, list_postures, postures_record
 from cuspaudit.toolpath.reading import (
@@ -139,6 +140,14 @@ class Trace:
     def to_dict(self, laps: int = 1) -> dict[str, Any]:
         """The record that ``cuspaudit trace --json`` writes."""
         return trace_record(self.found, self._robot.name, self._robot.file, laps)
+
+    def save_html(self, file: File) -> None:
+        """Write the offline page: the arm on the path, and the joints' curves."""
+        from cuspaudit.pictures.tool_path import trace_drawing
+        from cuspaudit.viz.tool_path import render_trace
+
+        page = render_trace(self.to_dict(), trace_drawing(self.found))
+        write_text(Path(file), page)
 
     def certificate(self) -> str:
         """The certificate of a run that changes posture, as text.

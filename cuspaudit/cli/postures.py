@@ -55,6 +55,9 @@ def postures(
         str | None,
         typer.Option("--json", metavar="FILE", help="Write the list; - is stdout."),
     ] = None,
+    html: Annotated[
+        Path | None, typer.Option(help="Write an offline page of them side by side.")
+    ] = None,
     snap: Snap = "default",
     seed: Seed = 0,
 ) -> None:
@@ -69,6 +72,8 @@ def postures(
     from cuspaudit.toolpath.postures import list_postures, postures_record
     from cuspaudit.toolpath.traced_arm import traced_arm
 
+    if html:
+        check_writable(html)
     if json_file not in (None, "-"):
         check_writable(Path(json_file or ""))
     opened = open_named(
@@ -78,6 +83,11 @@ def postures(
     pose = asked_pose(arm, joints, position, quaternion, rpy)
     found = list_postures(arm, pose, seed)
     record = postures_record(found, opened.name, opened.file)
+    if html:
+        from cuspaudit.pictures.tool_path import postures_drawing
+        from cuspaudit.viz.tool_path import render_postures
+
+        write_text(html, render_postures(record, postures_drawing(found)))
     text = json.dumps(record, indent=1, allow_nan=False)
     if json_file == "-":
         typer.echo(text)

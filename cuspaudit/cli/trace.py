@@ -67,6 +67,9 @@ def trace(
         str | None,
         typer.Option("--json", metavar="FILE", help="Write the trace; - is stdout."),
     ] = None,
+    html: Annotated[
+        Path | None, typer.Option(help="Write an offline page with the animation.")
+    ] = None,
     certificate: Annotated[
         Path | None,
         typer.Option(
@@ -90,7 +93,7 @@ def trace(
     from cuspaudit.toolpath.trace import trace_path
     from cuspaudit.toolpath.traced_arm import traced_arm
 
-    files = [f for f in (certificate,) if f is not None]
+    files = [f for f in (html, certificate) if f is not None]
     if json_file not in (None, "-"):
         files.append(Path(json_file or ""))
     for file in files:
@@ -107,6 +110,11 @@ def trace(
     record = trace_record(found, opened.name, opened.file, laps)
     if certificate:
         write_text(certificate, run_certificate(found))
+    if html:
+        from cuspaudit.pictures.tool_path import trace_drawing
+        from cuspaudit.viz.tool_path import render_trace
+
+        write_text(html, render_trace(record, trace_drawing(found)))
     text = json.dumps(record, indent=1, allow_nan=False)
     if json_file == "-":
         typer.echo(text)

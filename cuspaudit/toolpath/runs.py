@@ -25,6 +25,8 @@ __all__ = ["Bound", "FreeRun", "loop_runs", "runs_of"]
 
 Array = NDArray[np.float64]
 
+_STEP, _MOST_BETWEEN = 0.04, 12
+
 
 @dataclass(frozen=True, slots=True)
 class Bound:
@@ -80,15 +82,16 @@ class FreeRun:
 
     @cached_property
     def points(self) -> Array:
-        """Joint coordinates and parameter of the path along it, (m, n + 1)."""
-        rows = [self._row(self.links[0], self.first)]
-        rows += [self._row(link, self.knots(link)[1]) for link in self.links]
-        return np.array(rows)
+        """Joint coordinates and parameter of the path along it, (m, n + 1).
 
-    def _row(self, link: Link, knot: Knot) -> Array:
-        row = knot.at.copy()
-        row[-1] += link.leg
-        return row
+        Between knots, points of the axes of the tubes, close together.
+        """
+        rows = [_row(self.links[0], self.first.at)]
+        for link in self.links:
+            first, last = self.knots(link)
+            rows += [_row(link, point) for point in _between(link, first.at, last.at)]
+            rows.append(_row(link, last.at))
+        return np.array(rows)
 
     def is_alive(self, at: float) -> bool | None:
         """Whether it is alive at a parameter; None inside the window of its ends."""
@@ -97,6 +100,23 @@ class FreeRun:
         if at < self.begin.low or at > self.end.high:
             return False
         return self.begin.kind == "path" == self.end.kind or None
+
+
+def _row(link: Link, point: Array) -> Array:
+    row = point.copy()
+    row[-1] += link.leg
+    return row
+
+
+def _between(link: Link, first: Array, last: Array) -> list[Array]:
+    """Points of the axis of a tube between two of its ends."""
+    tube = link.tube
+    count = min(int(np.abs(last[:-1] - first[:-1]).max() / _STEP), _MOST_BETWEEN)
+    if not count:
+        return []
+    ends = [float(tube.along @ (end - tube.center)) for end in (first, last)]
+    places = np.linspace(ends[0], ends[1], count + 2)[1:-1]
+    return [tube.center + t * tube.along + t * t * tube.bow for t in places]
 
 
 def runs_of(
