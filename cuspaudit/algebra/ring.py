@@ -7,7 +7,7 @@ cosine there. An element of K[x_1..x_n] is a polynomial over Q in one more varia
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import reduce as fold
 from operator import mul
@@ -107,7 +107,7 @@ class Ring:
         """
         names = self.variables
         total = arb(0)
-        for exponents, coefficient in polynomial.to_dict().items():
+        for exponents, coefficient in _terms(polynomial):
             term = arb(coefficient)
             for name, exponent in zip(names, exponents, strict=False):
                 for _ in range(int(exponent)):
@@ -127,7 +127,7 @@ class Ring:
         """
         where = [self.context.variable_to_index(name) for name in names]
         split: dict[tuple[int, ...], dict[tuple[int, ...], fmpq]] = {}
-        for exponents, coefficient in polynomial.to_dict().items():
+        for exponents, coefficient in _terms(polynomial):
             key = tuple(exponents[i] for i in where)
             rest = tuple(0 if i in where else e for i, e in enumerate(exponents))
             split.setdefault(key, {})[rest] = coefficient
@@ -158,3 +158,8 @@ class Ring:
     def dot(self, a: Sequence[Polynomial], b: Sequence[Polynomial]) -> Polynomial:
         """The inner product of two columns, reduced."""
         return self.reduce(self.total(map(mul, a, b)))
+
+
+def _terms(polynomial: Polynomial) -> Iterator[tuple[tuple[int, ...], fmpq]]:
+    """Exponents and coefficients; as FLINT's ``to_dict``, twice as fast."""
+    return zip(polynomial.monoms(), polynomial.coeffs(), strict=True)
