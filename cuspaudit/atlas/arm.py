@@ -4,7 +4,10 @@ from __future__ import annotations
 
 import hashlib
 import json
+import re
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
+from itertools import islice
 from pathlib import Path
 from typing import Any
 
@@ -17,12 +20,15 @@ from cuspaudit.auditing.certified_robot import regular_posture
 from cuspaudit.auditing.record import Audit
 from cuspaudit.errors import CuspauditError, unforeseen
 from cuspaudit.pictures.page import page_text
-from cuspaudit.robot.library import open_robot
+from cuspaudit.robot.library import open_robot, serial_chains
+from cuspaudit.robot.robot import Robot
 from cuspaudit.robot.virtual_joint import with_virtual_joint
 
 __all__ = ["Arm", "Made", "arm_key", "make_arm"]
 
-_FORMAT = "1"
+_FORMAT = "2"
+_MOST = 12
+"""Chains of one robot that are audited at most."""
 
 
 @dataclass(frozen=True)
@@ -65,29 +71,55 @@ def arm_key(arm: Arm, content: bytes) -> str:
     return hashlib.sha256(repr(parts).encode() + content).hexdigest()[:16]
 
 
-def make_arm(arm: Arm, key: str) -> Made:
+def make_arm(arm: Arm, key: str) -> list[Made]:
     """Audit ``arm``; an error is the arm's and ends nothing else.
 
-    The times an audit took are left out: the same arm gives the same files.
+    Of a robot with several chains each arm among them is audited, redundant joints
+    locked at 0. Times are left out: the same arm gives the same files.
     """
+    made = _tried(lambda: [_made(arm.slug, open_robot(arm.source), arm)], arm)
+    if made[0].entry.error:
+        chains = _tried(lambda: list(_of_each_chain(arm)), arm)
+        made = chains or made
+    return [replace(m, entry=replace(m.entry, group=arm.slug, key=key)) for m in made]
+
+
+def _tried(work: Callable[[], list[Made]], arm: Arm) -> list[Made]:
     try:
-        return _made(arm, key)
+        return work()
     except CuspauditError as error:
         text = str(error)
     except Exception as error:  # the other arms are audited all the same
         text = unforeseen(error)
-    return Made(replace(failed_entry(arm.slug, arm.source, text), key=key))
+    return [Made(failed_entry(arm.slug, Path(arm.source).name, text))]
 
 
-def _made(arm: Arm, key: str) -> Made:
-    result = audit(open_robot(arm.source), Options(arm.seed, arm.timeout))
+def _of_each_chain(arm: Arm) -> Iterator[Made]:
+    """The arms among the serial chains of a robot."""
+    for chain in islice((c for c in serial_chains(arm.source) if c.is_arm), _MOST):
+        slug = f"{arm.slug}--{re.sub('[^a-z0-9]+', '-', chain.tip.lower()).strip('-')}"
+        robot = open_robot(
+            arm.source,
+            base=chain.base,
+            tip=chain.tip,
+            task=chain.task,
+            lock=dict.fromkeys(chain.locked, "0"),
+        )
+        try:
+            yield _made(slug, robot, arm)
+        except CuspauditError as error:
+            yield Made(failed_entry(slug, Path(arm.source).name, str(error)))
+
+
+def _made(slug: str, robot: Robot, arm: Arm) -> Made:
+    result = audit(robot, Options(arm.seed, arm.timeout))
     proof = certificate_text(result)
-    record = _without_times(result.record(f"{arm.slug}.json" if proof else None))
+    record = _without_times(result.record(f"{slug}.json" if proof else None))
     kind = str(json.loads(proof)["kind"]) if proof else ""
     drawn = picture(with_virtual_joint(result.shown_chain), _postures(result))
-    entry = entry_from_record(arm.slug, arm.source, record, kind, drawn)
+    entry = entry_from_record(slug, Path(arm.source).name, record, kind, drawn)
     return Made(
-        replace(entry, key=key),
+        entry,
         page_text(record, result, proof),
         proof or "",
         json.dumps(record, indent=1, allow_nan=False) + "\n",

@@ -75,6 +75,7 @@ class Entry:
         margin: rad about the path without a singularity, where it is known.
         certificate: kind of the certificate; "" where there is none.
         picture: a drawing in SVG.
+        group: name of its robot's files; the entries of one robot have one.
         key: of the file's content and of what made the entry.
     """
 
@@ -96,6 +97,7 @@ class Entry:
     margin: float | None = None
     certificate: str = ""
     picture: str = field(default="", repr=False)
+    group: str = ""
     key: str = ""
 
 

@@ -15,8 +15,9 @@ from __future__ import annotations
 
 import json
 import re
+from collections import defaultdict
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import asdict, dataclass, fields
+from dataclasses import asdict, dataclass
 from pathlib import Path
 
 from cuspaudit.atlas.arm import Arm, Made, arm_key
@@ -39,7 +40,7 @@ class Built:
 
     Attributes:
         entries: all lines of the table, by slug.
-        made: how many of them were made anew.
+        made: how many robots were audited anew; one may have several arms.
     """
 
     entries: Sequence[Entry]
@@ -67,7 +68,7 @@ def build_site(
         scheduler: address of a Dask cluster that works instead.
         timeout: seconds after which no further step of an audit begins.
         seed: of every random choice.
-        report: called when an arm is ready: how many are, of how many, and its name.
+        report: called when a robot is: how many are, of how many, and its name.
 
     Raises:
         InvalidInputError: no robot, or the folder holds something else.
@@ -82,21 +83,24 @@ def build_site(
         for source, slug in zip(sources, _slugs(sources), strict=True)
     ]
     keys = {arm.slug: arm_key(arm, _content(arm.source)) for arm in arms}
-    entries = {
+    whole = {
         arm.slug: kept[arm.slug]
         for arm in arms
-        if arm.slug in kept and _is_whole(site, kept[arm.slug], keys[arm.slug])
+        if all(_is_whole(site, entry, keys[arm.slug]) for entry in kept[arm.slug])
     }
-    work = [(arm, keys[arm.slug]) for arm in arms if arm.slug not in entries]
+    work = [(arm, keys[arm.slug]) for arm in arms if not whole.get(arm.slug)]
+    entries = [entry for group in whole.values() for entry in group]
     made = made_on_cluster(work, scheduler) if scheduler else made_here(work, workers)
-    for count, each in enumerate(made, 1):
-        _write_arm(site, each)
-        entries[each.entry.slug] = each.entry
-        _write_table(site, title, entries.values())
-        report(count, len(work), each.entry.slug)
-    _write_table(site, title, entries.values())
-    _clear(site, set(entries))
-    return Built([entries[slug] for slug in sorted(entries)], len(work))
+    for count, group in enumerate(made, 1):
+        for each in group:
+            _write_arm(site, each)
+        entries += [each.entry for each in group]
+        _write_table(site, title, entries)
+        report(count, len(work), group[0].entry.group)
+    entries.sort(key=lambda entry: entry.slug)
+    _write_table(site, title, entries)
+    _clear(site, {entry.slug for entry in entries})
+    return Built(entries, len(work))
 
 
 def _slugs(sources: Iterable[str]) -> list[str]:
@@ -120,8 +124,8 @@ def _content(source: str) -> bytes:
     return path.read_bytes() if path.is_file() else b""
 
 
-def _kept(site: Path) -> dict[str, Entry]:
-    """The lines of the last build, none if there was none.
+def _kept(site: Path) -> dict[str, list[Entry]]:
+    """The lines of the last build by robot, none if there was none.
 
     Raises:
         InvalidInputError: the folder holds files, and not those of an atlas.
@@ -134,18 +138,14 @@ def _kept(site: Path) -> dict[str, Entry]:
                 found="files that are not of an atlas",
                 expected="name an empty or a new folder",
             )
-        return {}
-    names = {f.name for f in fields(Entry)}
+        return defaultdict(list)
+    found: dict[str, list[Entry]] = defaultdict(list)
     try:
-        rows = json.loads(table.read_text("utf-8"))
-        if rows["schema"] != SCHEMA:
-            return {}
-        return {
-            row["slug"]: Entry(**{k: v for k, v in row.items() if k in names})
-            for row in rows["arms"]
-        }
+        for row in json.loads(table.read_text("utf-8"))["arms"]:
+            found[row["group"]].append(Entry(**row))
     except (ValueError, KeyError, TypeError):
-        return {}
+        return defaultdict(list)  # of another version, or damaged: made again
+    return found
 
 
 def _is_whole(site: Path, entry: Entry, key: str) -> bool:

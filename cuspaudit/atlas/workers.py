@@ -1,4 +1,4 @@
-"""Arms made one after the other, by processes of this machine, or on a Dask cluster."""
+"""Robots audited by this process, by several of this machine, or on a Dask cluster."""
 
 from __future__ import annotations
 
@@ -6,7 +6,9 @@ import signal
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor, as_completed
 from concurrent.futures.process import BrokenProcessPool
+from dataclasses import replace
 from multiprocessing import active_children, get_context
+from pathlib import Path
 
 from cuspaudit.atlas.arm import Arm, Made, make_arm
 from cuspaudit.atlas.entry import failed_entry
@@ -16,17 +18,17 @@ from cuspaudit.runtime.interruption import end_processes
 __all__ = ["made_here", "made_on_cluster"]
 
 Work = tuple[Arm, str]
-Make = Callable[[Arm, str], Made]
+Make = Callable[[Arm, str], list[Made]]
 
 _PATIENCE = "20s"
 
 
 def made_here(
     work: Sequence[Work], workers: int = 1, make: Make = make_arm
-) -> Iterator[Made]:
-    """Each arm, as it is ready.
+) -> Iterator[list[Made]]:
+    """The arms of each robot, as they are ready.
 
-    An arm whose process dies is an entry with that error, and so are those beside it
+    A robot whose process dies is an entry with that error, and so are those beside it
     that were not finished: run again to go on with them.
     """
     if workers <= 1 or len(work) <= 1:
@@ -51,8 +53,8 @@ def made_here(
 
 def made_on_cluster(
     work: Sequence[Work], address: str, make: Make = make_arm
-) -> Iterator[Made]:
-    """Each arm, as a worker behind the scheduler at ``address`` is ready with it.
+) -> Iterator[list[Made]]:
+    """Those of each robot, as a worker behind the scheduler is ready with them.
 
     The workers read the same files under the same names.
 
@@ -86,9 +88,10 @@ def made_on_cluster(
         client.close()
 
 
-def _died(arm: Arm) -> Made:
+def _died(arm: Arm) -> list[Made]:
     why = "the process of its audit died (killed, or out of memory); run again"
-    return Made(failed_entry(arm.slug, arm.source, why))
+    entry = replace(failed_entry(arm.slug, Path(arm.source).name, why), group=arm.slug)
+    return [Made(entry)]
 
 
 def _quiet() -> None:

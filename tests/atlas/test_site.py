@@ -151,3 +151,43 @@ def test_what_robots_say_is_text() -> None:
     page = index_html("<b>", [failed_entry("x", "<script>.yaml", "<img src=x>")])
     assert "<script>.yaml" not in page
     assert "&lt;img src=x&gt;" in page
+
+
+TWO_ARMS = """<robot name="two">
+  <link name="base"/><link name="l1"/><link name="l2"/><link name="left"/>
+  <link name="r1"/><link name="r2"/><link name="right"/>
+  {joints}
+</robot>
+"""
+JOINT = """<joint name="{name}" type="continuous"><parent link="{parent}"/>
+  <child link="{child}"/><origin xyz="{xyz}" rpy="{rpy}"/><axis xyz="0 0 1"/></joint>"""
+
+
+def test_each_arm_of_a_robot_with_two_has_a_line(tmp_path: Path) -> None:
+    """Two chains, two entries, and both are kept together."""
+    joints = [
+        ("a1", "base", "l1", "0 1 0", "0 0 0"),
+        ("a2", "l1", "l2", "0 0 1", "1.5707963267948966 0 0"),
+        ("a3", "l2", "left", "1 0 0", "0 0 0"),
+        ("b1", "base", "r1", "0 -1 0", "0 0 0"),
+        ("b2", "r1", "r2", "0 0 1", "1.5707963267948966 0 0"),
+        ("b3", "r2", "right", "1 0 0", "0 0 0"),
+    ]
+    ends = "".join(
+        f'<link name="{side}_tip"/><joint name="{side}_end" type="fixed"><parent '
+        f'link="{side}"/><child link="{side}_tip"/><origin xyz="1 0 0"/></joint>'
+        for side in ("left", "right")
+    )
+    keys = ("name", "parent", "child", "xyz", "rpy")
+    text = "".join(JOINT.format(**dict(zip(keys, row, strict=True))) for row in joints)
+    file = tmp_path / "two.urdf"
+    file.write_text(TWO_ARMS.format(joints=text + ends))
+    site = tmp_path / "site"
+    first = build_site([str(file)], site, timeout=20)
+    assert [entry.slug for entry in first.entries] == [
+        "two--left-tip",
+        "two--right-tip",
+    ]
+    assert {entry.verdict for entry in first.entries} == {"noncuspidal"}
+    assert first.made == 1
+    assert build_site([str(file)], site, timeout=20).made == 0
