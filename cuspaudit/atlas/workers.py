@@ -20,7 +20,7 @@ __all__ = ["made_here", "made_on_cluster"]
 Work = tuple[Arm, str]
 Make = Callable[[Arm, str], list[Made]]
 
-_PATIENCE = "20s"
+_PATIENCE = "10s"
 
 
 def made_here(
