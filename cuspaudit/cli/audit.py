@@ -52,8 +52,8 @@ def audit(
     certificate: Annotated[
         Path | None,
         typer.Option(
-            help="Write the proof: the certificate of a cuspidal verdict, else the "
-            "record of the exact run."
+            help="Write the proof: the certificate of the verdict, or where it has none "
+            "the record of the exact run."
         ),
     ] = None,
     engine: RobotEngineName = RobotEngine.auto,
