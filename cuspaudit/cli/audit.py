@@ -52,7 +52,7 @@ def audit(
     certificate: Annotated[
         Path | None,
         typer.Option(
-            help="Write the proof: the certificate of the verdict, or where it has none "
+            help="Write the proof: the certificate of the verdict, or without one "
             "the record of the exact run."
         ),
     ] = None,
