@@ -16,27 +16,20 @@ _JOINT_NAMES = ["j1", "j2", "j3", "j4", "j5", "j6"]
 _JOINT_AXES = [np.array([0.0, 0.0, 1.0]), np.array([0.0, 1.0, 0.0]),
                np.array([0.0, 1.0, 0.0]), np.array([1.0, 0.0, 0.0]),
                np.array([0.0, 1.0, 0.0]), np.array([1.0, 0.0, 0.0])]
-_JOINT_T_LEFTS = [
-    np.eye(4).tolist() if False else np.array([[1.0, 0, 0, 0], [0, 1.0, 0, 0],
-        [0, 0, 1.0, 0.5000000000000001], [0, 0, 0, 1.0]]),
-]
 """
 
 
 def module(folder: Path) -> Path:
     """A module as the package has them, of a small arm with a spherical wrist."""
-    step = (
-        "np.array([[1.0, 0, 0, {}], [0, 1.0, 0, 0], [0, 0, 1.0, {}], [0, 0, 0, 1.0]])"
-    )
+    step = "np.array([[1.0, 0, 0, {}], [0, 1.0, 0, 0], [0, 0, 1.0, {}], [0, 0, 0, 1]])"
     lefts = [("0", "0.5000000000000001"), ("0", "0"), ("0.7", "0")]
     lefts += [("0.7", "0"), ("0", "0"), ("0", "0")]
     turned = "np.array([[0, 0, 1.0, 0], [0, 1.0, 0, 0], [-1.0, 0, 0, 0], [0, 0, 0, 1]])"
-    text = MODULE[: MODULE.index("_JOINT_T_LEFTS")]
-    text += f"_JOINT_T_LEFTS = [{', '.join(step.format(*pair) for pair in lefts)}]\n"
+    before = ", ".join(step.format(*pair) for pair in lefts)
+    text = f"{MODULE}_JOINT_T_LEFTS = [{before}]\n"
     rights = [step.format("0", "0")] * 5 + [turned]
     text += f"_JOINT_T_RIGHTS = [{', '.join(rights)}]\n"
-    text += "_JOINT_TYPES = ['revolute'] * 0 or " + repr(["revolute"] * 6) + "\n"
-    text = text.replace("['revolute'] * 0 or ", "")
+    text += f"_JOINT_TYPES = {['revolute'] * 6}\n"
     text += f"_JOINT_LIMITS = {[(-1.5, 1.5)] * 5 + [None]}\n"
     path = folder / "prebuilt" / "maker" / "arm_ik.py"
     path.parent.mkdir(parents=True)

@@ -47,6 +47,8 @@ OWNERS = {
     },
     "networkx": {"geometry", "surface"},
     "yourdfpy": {"robot"},
+    "xacro": {"robot"},
+    "xacrodoc": {"robot"},
     "meshcat": {"viz"},
     "matplotlib": {"viz"},
     "pinocchio": {"auditing"},

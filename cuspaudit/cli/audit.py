@@ -18,6 +18,7 @@ from cuspaudit.cli.options import (
     Convention,
     LengthUnit,
     Lock,
+    PackageFolder,
     RobotEngine,
     RobotEngineName,
     RobotName,
@@ -42,6 +43,7 @@ def audit(
     convention: Convention = None,
     angle_unit: AngleUnit = None,
     length_unit: LengthUnit = None,
+    package: PackageFolder = None,
     json_file: Annotated[
         str | None,
         typer.Option("--json", metavar="FILE", help="Write the audit; - is stdout."),
@@ -102,10 +104,13 @@ def audit(
             {"--tip": tip, "--task": task, "--lock": lock}
             | {"--html": html, "--certificate": certificate}
         )
-        audit_chains(robot, base, json_file, engine.value, snap, seed, timeout)
+        audit_chains(
+            *(robot, base, package, json_file, engine.value, snap, seed, timeout)
+        )
         return
     opened = open_named(
-        robot, base, tip, task, lock, convention, angle_unit, length_unit
+        *(robot, base, tip, task, lock, convention, angle_unit, length_unit),
+        packages=package,
     )
     result = run_audit(opened, seed, timeout, snap, engine.value)
     proof = certificate_text(result, within)

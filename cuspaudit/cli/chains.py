@@ -9,6 +9,7 @@ from typing import Any
 
 import typer
 
+from cuspaudit.cli.opening import package_folders
 from cuspaudit.errors import CuspauditError, InvalidInputError
 
 __all__ = ["audit_chains", "check_alone", "print_chains"]
@@ -39,6 +40,7 @@ def check_alone(options: Mapping[str, object]) -> None:
 def audit_chains(
     robot: str,
     base: str | None,
+    package: list[str] | None,
     json_file: str | None,
     engine: str,
     snap: str,
@@ -50,6 +52,7 @@ def audit_chains(
     Args:
         robot: a file, or a name of the library.
         base: a link of the tree.
+        package: entries NAME=DIR, for a xacro file.
         json_file: where to write the audits, "-" for standard output, or None.
         engine: as in `audit`.
         snap: as in `audit`.
@@ -65,7 +68,8 @@ def audit_chains(
 
     records: list[dict[str, Any]] = []
     quiet = json_file == "-"
-    for chain in serial_chains(robot, base):
+    packages = package_folders(package)
+    for chain in serial_chains(robot, base, packages):
         record = {**chain.record(), "verdict": None, "audit": None, "error": None}
         records.append(record)
         if chain.is_arm:
@@ -76,6 +80,7 @@ def audit_chains(
                     tip=chain.tip,
                     task=chain.task,
                     lock=dict.fromkeys(chain.locked, "0"),
+                    packages=packages,
                 )
                 result = run_audit(opened, seed, timeout, snap, engine)
                 found = result.record(None)

@@ -10,13 +10,14 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from cuspaudit.cli.chains import print_chains
-from cuspaudit.cli.opening import open_named
+from cuspaudit.cli.opening import open_named, package_folders
 from cuspaudit.cli.options import (
     AngleUnit,
     Base,
     Convention,
     LengthUnit,
     Lock,
+    PackageFolder,
     Seed,
     Snap,
     TaskName,
@@ -50,6 +51,7 @@ def import_(
     convention: Convention = None,
     angle_unit: AngleUnit = None,
     length_unit: LengthUnit = None,
+    package: PackageFolder = None,
     to: Annotated[
         Form | None,
         typer.Option(
@@ -82,14 +84,23 @@ def import_(
     from cuspaudit.robot.library import serial_chains
     from cuspaudit.robot.snap_policy import policy_from_name
 
-    chains = [] if tip or to else serial_chains(robot, base)
+    chains = [] if tip or to else serial_chains(robot, base, package_folders(package))
     if len(chains) > 1:
         records = [chain.record() for chain in chains]
         typer.echo(json.dumps(records, indent=1)) if as_json else print_chains(records)
         return
     square = to in (Form.poly, Form.msolve)
     opened = open_named(
-        robot, base, tip, task, lock, convention, angle_unit, length_unit, square=square
+        robot,
+        base,
+        tip,
+        task,
+        lock,
+        convention,
+        angle_unit,
+        length_unit,
+        packages=package,
+        square=square,
     )
     policy = policy_from_name(snap)
     if to:

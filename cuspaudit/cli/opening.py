@@ -9,7 +9,7 @@ from cuspaudit.errors import InvalidInputError
 if TYPE_CHECKING:
     from cuspaudit.robot.robot import Robot
 
-__all__ = ["open_named"]
+__all__ = ["open_named", "package_folders"]
 
 
 def open_named(
@@ -22,6 +22,7 @@ def open_named(
     angle_unit: str | None,
     length_unit: str | None,
     *,
+    packages: list[str] | None = None,
     square: bool = True,
 ) -> Robot:
     """The robot a user named.
@@ -35,6 +36,7 @@ def open_named(
         convention: D-H convention of a table that does not say.
         angle_unit: unit of bare angles in a D-H table.
         length_unit: unit of lengths in a D-H table.
+        packages: entries NAME=DIR, for a xacro file.
         square: whether the task must fit the joints that are left.
 
     Raises:
@@ -51,8 +53,28 @@ def open_named(
         convention=convention,
         angle_unit=angle_unit,
         length_unit=length_unit,
+        packages=package_folders(packages),
         square=square,
     )
+
+
+def package_folders(entries: list[str] | None) -> dict[str, str]:
+    """Name to folder of entries NAME=DIR.
+
+    Raises:
+        InvalidInputError: an entry is none.
+    """
+    found = {}
+    for entry in entries or []:
+        name, equals, folder = entry.partition("=")
+        if not (name and equals and folder):
+            raise InvalidInputError(
+                file=f"--package {entry}",
+                found="not NAME=DIR",
+                expected="write for example my_description=./my_description",
+            )
+        found[name] = folder
+    return found
 
 
 def _joint_and_value(entry: str) -> tuple[str, str]:

@@ -15,6 +15,7 @@ __all__ = [
     "EngineName",
     "LengthUnit",
     "Lock",
+    "PackageFolder",
     "RobotEngine",
     "RobotEngineName",
     "RobotName",
@@ -79,6 +80,13 @@ AngleUnit = Annotated[
 ]
 LengthUnit = Annotated[
     str | None, typer.Option(help="Unit of lengths in a D-H table: m, mm.")
+]
+PackageFolder = Annotated[
+    list[str] | None,
+    typer.Option(
+        metavar="NAME=DIR",
+        help="Folder of a package that a xacro file finds by name; may be repeated.",
+    ),
 ]
 Snap = Annotated[
     str,

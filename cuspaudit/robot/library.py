@@ -52,6 +52,7 @@ def open_robot(
     convention: str | None = None,
     angle_unit: str | None = None,
     length_unit: str | None = None,
+    packages: Mapping[str, str] | None = None,
     square: bool = True,
 ) -> Robot:
     """The robot in a file, or of a name in the library.
@@ -66,6 +67,7 @@ def open_robot(
         convention: D-H convention of a table that does not say.
         angle_unit: unit of bare angles of a table that does not say.
         length_unit: unit of lengths of a table that does not say.
+        packages: name to folder, for ``$(find NAME)`` in a xacro file.
         square: check that the task has as many dimensions as there are joints.
 
     Raises:
@@ -80,6 +82,7 @@ def open_robot(
         convention=convention,
         angle_unit=angle_unit,
         length_unit=length_unit,
+        packages=packages,
     )
     if lock:
         robot = _locked(robot, lock, task)
@@ -121,13 +124,17 @@ def _written(value: str | Angle | Fraction) -> str:
     return format_angle(value) if isinstance(value, Angle) else format_rational(value)
 
 
-def serial_chains(name_or_path: str | Path, base: str | None = None) -> list[Candidate]:
+def serial_chains(
+    name_or_path: str | Path,
+    base: str | None = None,
+    packages: Mapping[str, str] | None = None,
+) -> list[Candidate]:
     """The serial chains of a robot, likely ones first; see `read_robot.chains_in`.
 
     Raises:
         InvalidRobotError: no such robot, or it cannot be read.
     """
-    return chains_in(_find(name_or_path), base)
+    return chains_in(_find(name_or_path), base, packages)
 
 
 def library() -> list[tuple[str, Path]]:

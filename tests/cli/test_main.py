@@ -139,7 +139,7 @@ def test_show_reads_the_schemas_of_both_versions(
         (["show", "no-such.json"], "no-such.json"),
         (["import"], "--list"),
         (["audit", "ur5_robot", "--snap", "loose"], "give --snap none, default or"),
-        (["import", "arm.xacro"], "xacro FILE > robot.urdf"),
+        (["import", "arm.xacro"], "no such file"),
     ],
 )
 def test_bad_input_gives_one_line_and_exit_code_2(

@@ -84,9 +84,9 @@ def test_an_unknown_name_gets_neighbours() -> None:
         open_robot("ur6")
 
 
-def test_xacro_is_not_expanded() -> None:
-    """An unexpanded file says how to expand it."""
-    with pytest.raises(InvalidRobotError, match="xacro FILE > robot"):
+def test_a_xacro_file_that_is_not_there_is_said() -> None:
+    """A missing file is named before anything is expanded."""
+    with pytest.raises(InvalidRobotError, match="no such file"):
         open_robot("arm.urdf.xacro")
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -29,6 +29,7 @@ class Choices:
         convention: "standard" or "modified", for a table that does not say.
         angle_unit: "rad" or "deg", for a table that does not say.
         length_unit: "m" or "mm", for a table that does not say.
+        packages: name to folder, for a file that finds packages by name.
     """
 
     base: str | None = None
@@ -37,6 +38,7 @@ class Choices:
     convention: str | None = None
     angle_unit: str | None = None
     length_unit: str | None = None
+    packages: Mapping[str, str] | None = None
 
 
 def _any(path: Path) -> bool:
@@ -60,6 +62,6 @@ class Format:
     name: str
     endings: tuple[str, ...]
     read: Callable[[Path, Choices], Robot]
-    chains: Callable[[Path, str | None], list[Candidate]] | None = None
+    chains: Callable[[Path, Choices], list[Candidate]] | None = None
     recorded: tuple[str, ...] = ()
     is_robot: Callable[[Path], bool] = _any

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -16,7 +17,11 @@ if TYPE_CHECKING:
 __all__ = ["chains_in", "read_robot"]
 
 
-def chains_in(path: Path | str, base: str | None = None) -> list[Candidate]:
+def chains_in(
+    path: Path | str,
+    base: str | None = None,
+    packages: Mapping[str, str] | None = None,
+) -> list[Candidate]:
     """The serial chains of a file, likely ones first; a table has none to choose from.
 
     Raises:
@@ -26,7 +31,7 @@ def chains_in(path: Path | str, base: str | None = None) -> list[Candidate]:
     known = format_of(path)
     if known is None or known.chains is None:
         return []
-    return known.chains(path, base)
+    return known.chains(path, Choices(base, packages=packages))
 
 
 def read_robot(
@@ -38,6 +43,7 @@ def read_robot(
     convention: str | None = None,
     angle_unit: str | None = None,
     length_unit: str | None = None,
+    packages: Mapping[str, str] | None = None,
 ) -> Robot:
     """The robot in a file, read in the format that the ending of its name says.
 
@@ -50,6 +56,7 @@ def read_robot(
         convention: "standard" or "modified", for a table that does not say.
         angle_unit: "rad" or "deg", for a table that does not say.
         length_unit: "m" or "mm", for a table that does not say.
+        packages: name to folder, for ``$(find NAME)`` in a xacro file.
 
     Raises:
         InvalidRobotError: the file cannot be read as it stands, or an option does
@@ -63,5 +70,5 @@ def read_robot(
     if known is None:
         found = f"files ending in {quoted(path.suffix)} are unknown"
         raise Place(str(path)).error(found, f"give a file in {', '.join(endings())}")
-    choices = Choices(base, tip, task, convention, angle_unit, length_unit)
+    choices = Choices(base, tip, task, convention, angle_unit, length_unit, packages)
     return known.read(path, choices)

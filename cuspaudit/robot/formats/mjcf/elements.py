@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from xml.parsers import expat
 
-from cuspaudit.robot.formats.urdf.xml import file_bytes
+from cuspaudit.robot.formats.urdf.xml import check_beginning, file_bytes
 from cuspaudit.robot.place import Place, quoted
 
 __all__ = ["Element", "looks_like_mjcf", "read_elements"]
@@ -93,6 +93,7 @@ class _Reader:
         self.parser.EndElementHandler = self._end
 
     def read(self, content: bytes) -> Element:
+        check_beginning(content, self.place)
         try:
             self.parser.Parse(content, True)
         except expat.ExpatError as error:

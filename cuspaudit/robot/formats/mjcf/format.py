@@ -20,10 +20,10 @@ def _read(path: Path, choices: Choices) -> Robot:
     return read_mjcf(path, base=choices.base, tip=choices.tip, task=choices.task)
 
 
-def _chains(path: Path, base: str | None) -> list[Candidate]:
+def _chains(path: Path, choices: Choices) -> list[Candidate]:
     from cuspaudit.robot.formats.mjcf.read import mjcf_candidates
 
-    return mjcf_candidates(path, base)
+    return mjcf_candidates(path, choices.base)
 
 
 def _is_mjcf(path: Path) -> bool:

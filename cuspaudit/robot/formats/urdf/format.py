@@ -20,12 +20,10 @@ def _read(path: Path, choices: Choices) -> Robot:
     return read_urdf(path, base=choices.base, tip=choices.tip, task=choices.task)
 
 
-def _chains(path: Path, base: str | None) -> list[Candidate]:
+def _chains(path: Path, choices: Choices) -> list[Candidate]:
     from cuspaudit.robot.formats.urdf.read import urdf_candidates
 
-    return urdf_candidates(path, base)
+    return urdf_candidates(path, choices.base)
 
 
-URDF = Format(
-    name="URDF", endings=(".urdf", ".xml", ".xacro"), read=_read, chains=_chains
-)
+URDF = Format(name="URDF", endings=(".urdf", ".xml"), read=_read, chains=_chains)

@@ -98,9 +98,6 @@ def links_beside(path: Path, tip: str) -> list[str]:
 def _opened(path: Path) -> tuple[Tree[JointElement], str]:
     """The tree of a URDF, and the robot's name."""
     place = Place(str(path))
-    if path.suffix == ".xacro":
-        expected = "expand it first (pip install xacro): xacro FILE > robot.urdf"
-        raise place.error("a xacro file", expected)
     robot = read_xml(path, place)
     return tree_from_robot(robot, place), robot.name or path.stem
 

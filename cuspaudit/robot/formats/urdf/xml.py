@@ -15,10 +15,12 @@ from xml.parsers import expat
 
 from cuspaudit.robot.place import Place, quoted
 
-__all__ = ["JointElement", "RobotElement", "file_bytes", "read_xml"]
+__all__ = ["JointElement", "RobotElement", "check_beginning", "file_bytes", "read_xml"]
 
 _MOST_BYTES = 30_000_000
 _MOST_DEPTH = 100
+_BEGINNING = 65536
+_BOM = b"\xef\xbb\xbf"
 _PARTS = {"parent", "child", "origin", "axis", "limit", "mimic"}
 _LEFT_BY_XACRO = {"property", "arg"}
 _ROOTS = {
@@ -106,6 +108,18 @@ def file_bytes(path: Path, place: Place) -> bytes:
     return content
 
 
+def check_beginning(content: bytes, place: Place) -> None:
+    """Check that nothing stands before the XML declaration, if there is one.
+
+    Raises:
+        InvalidRobotError: something does: a warning that was printed into the file.
+    """
+    start = content[:_BEGINNING].find(b"<?xml ")
+    if start > 0 and b"<" not in content[:start] and content[:start] != _BOM:
+        found = f"{start} bytes before <?xml"
+        raise place.error(found, "delete what stands before <?xml")
+
+
 class _Reader:
     """One pass over one file; handlers called by expat."""
 
@@ -124,6 +138,7 @@ class _Reader:
 
     def read(self, content: bytes) -> RobotElement:
         """Parse ``content`` to its end."""
+        check_beginning(content, self.place)
         try:
             self.parser.Parse(content, True)
         except expat.ExpatError as error:

@@ -195,3 +195,18 @@ def test_a_folder_or_missing_file(tmp_path: Path) -> None:
         read_urdf(tmp_path)
     with pytest.raises(InvalidRobotError, match="No such file"):
         read_urdf(tmp_path / "none.urdf")
+
+
+def test_text_before_the_declaration_gets_advice_that_works(tmp_path: Path) -> None:
+    """A warning printed before <?xml is named; without it the file reads."""
+    body = THREE + FLANGE
+    links = "".join(
+        f'<link name="{name}"/>' for name in ("l0", "l1", "l2", "l3", "tip")
+    )
+    good = f'<?xml version="1.0"?>\n<robot name="arm">{links}{body}</robot>'
+    path = tmp_path / "arm.urdf"
+    path.write_text("xacro: in-order processing became default\n" + good)
+    with pytest.raises(InvalidRobotError, match=r"42 bytes before <.xml; delete"):
+        read_urdf(path)
+    path.write_text(good)
+    assert read_urdf(path).chain.tip == "tip"

@@ -1,0 +1,1 @@
+"""xacro files, expanded without ROS in a process of their own."""
