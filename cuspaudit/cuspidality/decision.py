@@ -13,8 +13,8 @@ never asked for; where this parts all points of all fibers, R is noncuspidal wha
 the components are, and a route that is unable to list them does no harm.
 
 A couple needs none of the lists that make this complete, so one is looked for first
-(``cuspidality.couple_first``); what the verdict does not need is then left out, unless
-the whole run is asked for.
+(``cuspidality.couple_first``), unless the whole run promises to be as short; what the
+verdict does not need is then left out, unless the whole run is asked for.
 """
 
 from __future__ import annotations
@@ -75,6 +75,9 @@ _UNLIMITED = 1e6
 _EXTRA = 4.0
 _BRIEF = 0.5
 _COUNTING = 10.0
+#: variables with which the whole run is tried before a couple, and for how long, in s
+_FEW = 3
+_BRIEFLY = 2.0
 #: minors of jac f with which assumption (A) takes longer than to look for a couple
 _MANY_MINORS = 40
 _EXACT = ("FLINT resultants", "FLINT root isolation", "exact signs", "ball arithmetic")
@@ -178,16 +181,14 @@ def decide(
         with time_limit(timeout):
             first = engine == "auto" and not complete
             decided = _check(run, steps, first)
-            if first:
+            if first and decided and len(variety.ring.variables) <= _FEW:
+                _briefly(run, steps, seed)
+            if first and run.verdict is Verdict.UNDECIDED:
                 _couple_first(run, steps, seed)
             if run.verdict is Verdict.UNDECIDED:
                 if not decided:
                     _check(run, steps, first=False)
-                values = _prepare(run, steps, seed)
-                if engine == "auto" and _are_parted(run):
-                    _by_signs(run, steps, values, seed)
-                else:
-                    _connect(run, steps, values, engine, seed)
+                _whole(run, steps, engine, seed)
     except TimeLimitError as limit:
         run.failure = TimeLimitError(steps.current, limit.seconds)
     except UnableError as limit:
@@ -223,6 +224,24 @@ def _check(run: Decision, steps: Steps, first: bool) -> bool:
     if not run.minors:
         raise DegenerateMapError("Delta vanishes identically: the map has no full rank")
     return decided
+
+
+def _whole(run: Decision, steps: Steps, engine: Engine, seed: int) -> None:
+    """The rest of the algorithm."""
+    values = _prepare(run, steps, seed)
+    if engine == "auto" and _are_parted(run):
+        _by_signs(run, steps, values, seed)
+    else:
+        _connect(run, steps, values, engine, seed)
+
+
+def _briefly(run: Decision, steps: Steps, seed: int) -> None:
+    """The whole run of a small system, if two seconds are enough: it knows more."""
+    try:
+        with time_limit(_share(steps, 4, _BRIEFLY)()):
+            _connect(run, steps, _prepare(run, steps, seed), "auto", seed)
+    except (UnableError, RetryableError):
+        run.atypical, run.samples, run.most_is_proved = [], {}, False
 
 
 def _couple_first(run: Decision, steps: Steps, seed: int) -> None:

@@ -41,8 +41,7 @@ def test_exit_code_and_schema(name: str, code: int, engine: str) -> None:
     jsonschema.validate(record, schema)
     assert found == code
     assert record["robot"] is None
-    first = "couple" if code == 1 else "roadmap"
-    assert record["proof"]["engine"] == (first if engine == "auto" else engine)
+    assert record["proof"]["engine"] == ("roadmap" if engine == "auto" else engine)
     assert (record["witness"] is not None) == (code == 1)
     assert record["steps"][0]["name"] == "crit"
 
