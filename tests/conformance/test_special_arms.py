@@ -9,6 +9,7 @@ import pytest
 from numeric_oracle import decide
 from special_arms import NONCUSPIDAL, SIX, WRITINGS, SpecialArm, special_arms
 
+from cuspaudit.auditing.as_written import AsWritten
 from cuspaudit.auditing.audit import Audit, audit
 from cuspaudit.auditing.certificates import certificate_of_audit
 from cuspaudit.auditing.options import Options
@@ -18,7 +19,6 @@ from cuspaudit.robot.library import open_robot
 
 COUNTS = {3: 136, 6: 64}
 SEED = 2026
-LOST = "relations are sought in the digits of single numbers, and lost"
 ARMS = {joints: special_arms(COUNTS[joints], joints, SEED) for joints in COUNTS}
 
 
@@ -36,7 +36,7 @@ def audited(arm: SpecialArm, folder: Path) -> Audit:
     file = folder / f"special{ending}"
     file.write_text(text)
     task = "position" if len(arm.links) == 3 else "pose"
-    return audit(open_robot(file, task=task), Options(timeout=20))
+    return audit(open_robot(file, task=task), Options(timeout=120))
 
 
 def unfounded(found: Audit) -> Iterator[str]:
@@ -62,22 +62,14 @@ def unfounded(found: Audit) -> Iterator[str]:
 @pytest.fixture
 def _no_literal(monkeypatch: pytest.MonkeyPatch) -> None:
     """Leave the literal numbers out: they are another question, and take minutes."""
-    nothing = (Verdict.UNDECIDED, None)
-    monkeypatch.setattr("cuspaudit.auditing.audit._literal", lambda *_: nothing)
+    nothing = AsWritten(Verdict.UNDECIDED)
+    monkeypatch.setattr("cuspaudit.auditing.audit.as_written", lambda *_: nothing)
     monkeypatch.setattr("cuspaudit.auditing.audit.why_undecided", lambda *_: None)
 
 
 @pytest.mark.slow
 @pytest.mark.usefixtures("_no_literal")
-@pytest.mark.parametrize(
-    "writing",
-    [
-        writing
-        if writing == "plain"
-        else pytest.param(writing, marks=pytest.mark.xfail(reason=LOST, strict=False))
-        for writing in WRITINGS
-    ],
-)
+@pytest.mark.parametrize("writing", WRITINGS)
 @pytest.mark.parametrize("joints", COUNTS)
 def test_no_special_arm_is_answered_wrongly(
     joints: int, writing: str, tmp_path: Path
