@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 import numpy as np
 from numpy.typing import NDArray
 
 from cuspaudit.toolpath.limits import joint_ranges
+from cuspaudit.toolpath.runs import FreeRun
 from cuspaudit.toolpath.trace import Run, Trace
 from cuspaudit.toolpath.traced_arm import TracedArm
 
@@ -13,7 +16,7 @@ __all__ = ["limit_margin", "recommended", "singular_distance", "singular_margin"
 
 Array = NDArray[np.float64]
 
-_POINTS = 24
+_POINTS, _SEARCHED = 24, 4
 _STEPS = 30
 _SINGULAR = 1e-6
 _NUDGE = 1e-6
@@ -68,11 +71,23 @@ def singular_margin(arm: TracedArm, run: Run) -> float:
     """The smallest `singular_distance` along a run; 0 where it dies of one."""
     if run.free is None or run.end == "singular":
         return 0.0
-    points = _coordinates(arm, run)
-    chosen = points[np.unique(np.linspace(0, len(points) - 1, _POINTS).astype(int))]
-    first = [_first_order(arm, row) for row in chosen]
-    nearest = np.argsort(first)[:3]
-    return min(singular_distance(arm, chosen[k]) for k in nearest)
+    profile = _profile(arm, run.free)
+    return float(min(profile[profile[:, 0] <= run.at][:, 1], default=profile[0, 1]))
+
+
+@lru_cache(maxsize=64)
+def _profile(arm: TracedArm, free: FreeRun) -> Array:
+    """Parameters along a run, and the distance to a singular posture near each.
+
+    To first order at most places, searched at the nearest of them.
+    """
+    rows = free.points
+    chosen = rows[np.unique(np.linspace(0, len(rows) - 1, _POINTS).astype(int))]
+    near = np.array([_first_order(arm, row[:-1]) for row in chosen])
+    for k in np.argsort(near)[:_SEARCHED]:
+        found = singular_distance(arm, chosen[k, :-1])
+        near[k] = found if np.isfinite(found) else near[k]
+    return np.column_stack([chosen[:, -1], near])
 
 
 def limit_margin(arm: TracedArm, run: Run) -> float | None:

@@ -11,6 +11,7 @@ same way there; what joins two legs is a knot at their common waypoint.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Literal
@@ -285,16 +286,16 @@ def _step(
 def _to_wall(axis: Axis, gap: float, size: float) -> float | None:
     """The t at which the axis has come ``gap`` further in s, at most ``size``."""
     rise, bow = float(axis.along[-1]), float(axis.bow[-1])
-    if bow == 0.0:
-        return gap / rise if rise else None
     inside = rise * rise + 4 * bow * gap
     if inside < 0:
         return None
-    root = float(np.sqrt(inside))
-    shares = [
-        t for t in ((-rise + root) / (2 * bow), (-rise - root) / (2 * bow)) if t > 0
-    ]
-    return min(shares) if shares and min(shares) <= size * (1 + 1e-9) else None
+    # rise t + bow t^2 = gap, the root of smaller size without cancellation
+    steep = rise + math.copysign(math.sqrt(inside), rise)
+    shares = [2 * gap / steep] if steep else []
+    if bow:
+        shares.append(-steep / (2 * bow))
+    ahead = [t for t in shares if t > 0]
+    return min(ahead) if ahead and min(ahead) <= size * (1 + 1e-9) else None
 
 
 def _is_safe(tube: Tube, axis: Axis, last: Tube | None) -> bool:

@@ -165,3 +165,21 @@ def test_the_way_back_along_itself_repeats() -> None:
     assert trace.permutation == (0, 1, 2, 3)
     assert exit_code(trace) == 0
     assert {one.kind for one in laps_of(trace)} == {"repeatable"}
+
+
+def test_legs_of_any_length_are_followed() -> None:
+    """A leg of 1e-12 of the unit, and one a million times the arm, are both proved."""
+    tiny = trace_path(mirror(), places((2, 0, 0), ("2.000000000001", 0, 0)))
+    assert [run.end for run in tiny.runs] == ["reached"] * 4
+    huge = trace_path(mirror(), places((2, 0, 0), (1000000, 0, 0)))
+    assert all(run.proved and run.end == "singular" for run in huge.runs)
+
+
+def test_a_run_that_is_born_and_dies_on_the_way_is_found() -> None:
+    """To and fro and far away: the pair that lives between is born and dies."""
+    trace = trace_path(mirror(), places((1, 0, 0), (60, 0, 0)))
+    assert trace.births_complete
+    assert [birth.end for birth in trace.born] == ["singular"] * 2
+    first, second = trace.born
+    assert first.at == pytest.approx(second.at, abs=1e-9)
+    assert first.until > first.at and {first.sign, second.sign} == {1, -1}
