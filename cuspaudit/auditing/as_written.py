@@ -50,8 +50,7 @@ def as_written(
     """What is known of the literal chain, when its snapped one was decided.
 
     The path of the snapped chain is tried first. If that is none, another is searched
-    where the two differ by more than the noise of doubles, on the arm written by its
-    invariants, whose numbers are shorter and the same.
+    where the two differ by more than the noise of doubles.
 
     Args:
         literal: the chain as the file has it.
@@ -72,16 +71,38 @@ def as_written(
     algebraic = is_algebraic(literal)
     if not algebraic and all(abs(s.difference) < _VISIBLE for s in snapped):
         return AsWritten(_by_structure(literal))
-    chain = literal if algebraic else with_virtual_joint(faithful(literal))
     try:
-        case = Case(exact_model(chain), seed, poses=HAIR_POSES)
-        other = decide(case, Clock(clock.left, clock.tell), HAIR)
+        if algebraic:
+            return _decided(literal, seed, clock)
+        witness = _searched(literal, seed, clock)
     except (UnableError, AssumptionError):
+        witness = None
+    if witness is None:
         return AsWritten(_by_structure(literal))
-    witness = _on(literal, other.witness) if other.witness is not None else None
-    if witness is None and not (algebraic and other.model.is_exact):
-        return AsWritten(_by_structure(literal))
-    return AsWritten(other.verdict, witness)
+    return AsWritten(Verdict.CUSPIDAL, witness)
+
+
+def _decided(literal: Chain, seed: int, clock: Clock) -> AsWritten:
+    """The verdict of an exact model of the literal chain."""
+    case = Case(exact_model(literal), seed, poses=HAIR_POSES)
+    found = decide(case, Clock(clock.left, clock.tell), HAIR)
+    return AsWritten(found.verdict, found.witness)
+
+
+def _searched(literal: Chain, seed: int, clock: Clock) -> Witness | None:
+    """A path of the literal chain, searched: of six joints from random poses.
+
+    Of three it is that of a couple of the arm written by its invariants, whose numbers
+    are shorter and almost the same.
+    """
+    if literal.task == "pose" and "prismatic" not in literal.kinds:
+        # loaded where it is asked for: most files need no search of their own
+        from cuspaudit.auditing.deciders.by_search import search_witness
+
+        return search_witness(literal, seed, clock.step, HAIR_POSES).witness
+    case = Case(exact_model(with_virtual_joint(faithful(literal))), seed)
+    found = decide(case, Clock(clock.left, clock.tell), HAIR)
+    return _on(literal, found.witness) if found.witness is not None else None
 
 
 def _by_structure(chain: Chain) -> Verdict:
