@@ -25,12 +25,12 @@ __all__ = ["is_inside", "paths_around", "slack_of"]
 
 Array = NDArray[np.float64]
 
-_SIZES = (1.2, 0.8, 0.5, 0.35, 0.25, 0.15, 0.1, 0.06, 0.04, 0.02, 0.01, 0.005)
+_SIZES = (1.2, 0.8, 0.5, 0.35, 0.25, 0.15, 0.1, 0.06, 0.03, 0.01, 0.003, 0.001)
 _BEYOND = (1.0, 0.5)
 _SPREAD = (1.0, 0.75)
 _SAMPLES = 40
 _APART = 1e-3
-_LEVEL = 0.02
+_LEVEL = 0.004
 
 
 def paths_around(
@@ -78,10 +78,11 @@ def _closed(
     chain: Chain, map_: TaskMap, path: Array, limits: Sequence[Interval]
 ) -> Array | None:
     """The path with its ends in one pose, if it is one that may be proved."""
-    if not is_inside(path, limits) or not _keeps_sign(map_, path[[0, 1]]):
+    own = [pair if k in map_.moving else None for k, pair in enumerate(limits)]
+    if not is_inside(path, own) or not _keeps_sign(map_, path[[0, 1]]):
         return None
     try:
-        path = close(chain, path)
+        path = close(chain, _centred(close(chain, path), map_))
     except RetryableError:
         return None
     moved = np.abs(path[-1] - path[0])
@@ -89,6 +90,21 @@ def _closed(
     if max(turned) < _APART or not is_inside(path, limits):
         return None
     return path if _keeps_sign(map_, path) else None
+
+
+def _centred(path: Array, map_: TaskMap) -> Array:
+    """The path with the joints that move no det J going from one side to the other.
+
+    They shift both ends alike, so only the difference of their end values counts; it is
+    shared by the two halves of the path, about the value at the cusp.
+    """
+    path = path.copy()
+    for k in set(range(path.shape[1])) - set(map_.moving):
+        way = path[-1, k] - path[0, k]
+        if map_.turns[k]:
+            way = np.remainder(way + np.pi, 2 * np.pi) - np.pi
+        path[:, k] = path[1, k] + way * np.linspace(-0.5, 0.5, len(path))
+    return path
 
 
 def _keeps_sign(map_: TaskMap, path: Array) -> bool:

@@ -45,6 +45,7 @@ _POLISH = 4
 _STRIDE = 0.4
 _DIFFERENCE = 1e-5
 _REACHED = 1e-9
+_CLEAR = 1e-13
 _MARGIN = 1e-3
 _DIGITS = 15
 _DISTINCT = 1e-4
@@ -121,7 +122,7 @@ def _settled(
         left = np.abs(map_.conditions(q)[0]).max(1)
         clear = map_.clearness(q)
     slack = np.minimum(q - low, high - q).min(1)
-    good = (left < _REACHED) & (slack > 0) & (clear > 0)
+    good = (left < _REACHED) & (slack > 0) & (clear > _CLEAR)
     return [
         FoundCusp(tuple(map(float, q[k])), float(slack[k]), float(clear[k]))
         for k in np.flatnonzero(good)
