@@ -27,7 +27,9 @@ from dataclasses import dataclass, field, replace
 from fractions import Fraction
 
 from cuspaudit.robot.axes import scaled_axis, unit_axis
-from cuspaudit.robot.canonical import Canonical, Taken, canonical
+from cuspaudit.robot.canonical_arm.canonical import Canonical, Taken, canonical
+from cuspaudit.robot.canonical_arm.invariants import invariants
+from cuspaudit.robot.canonical_arm.readings import Reader
 from cuspaudit.robot.chain import (
     Angle,
     Chain,
@@ -39,10 +41,8 @@ from cuspaudit.robot.chain import (
 )
 from cuspaudit.robot.fixed_motions import geometry, has_exact_cosine, is_algebraic
 from cuspaudit.robot.frames import angle_value
-from cuspaudit.robot.invariants import invariants
 from cuspaudit.robot.numbers import format_angle
 from cuspaudit.robot.printed_angles import PI, is_printed, printed_multiple
-from cuspaudit.robot.readings import Reader
 from cuspaudit.robot.relations import relations
 from cuspaudit.robot.snap_policy import DEFAULT_POLICY, NO_SNAPPING, SnapPolicy
 

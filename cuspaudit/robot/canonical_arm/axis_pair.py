@@ -20,8 +20,8 @@ from typing import Literal
 from flint import arb, fmpq
 
 from cuspaudit.algebra.rationals import exact_rational, simplest_between
+from cuspaudit.robot.canonical_arm.links import scaled, unit
 from cuspaudit.robot.lines import Ball, cross, dot, minus
-from cuspaudit.robot.links import scaled, unit
 
 __all__ = [
     "CAP_ANGLE",

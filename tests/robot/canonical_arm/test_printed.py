@@ -4,6 +4,7 @@ from fractions import Fraction
 
 import pytest
 
+from cuspaudit.robot.canonical_arm.printed import printed_errors
 from cuspaudit.robot.chain import (
     X_AXIS,
     Y_AXIS,
@@ -15,7 +16,6 @@ from cuspaudit.robot.chain import (
     Translation,
 )
 from cuspaudit.robot.numbers import printed_decimals
-from cuspaudit.robot.printed import printed_errors
 from cuspaudit.robot.printed_angles import printed_multiple
 
 

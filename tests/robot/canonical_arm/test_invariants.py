@@ -13,7 +13,9 @@ from hypothesis import strategies as st
 from reexport import reexported
 from short_tables import arm, degrees
 
-from cuspaudit.robot.canonical import canonical
+from cuspaudit.robot.canonical_arm.canonical import canonical
+from cuspaudit.robot.canonical_arm.invariants import Invariants, invariants
+from cuspaudit.robot.canonical_arm.readings import Reader
 from cuspaudit.robot.chain import (
     X_AXIS,
     Y_AXIS,
@@ -28,14 +30,12 @@ from cuspaudit.robot.fixed_motions import is_algebraic
 from cuspaudit.robot.formats.read_robot import read_robot
 from cuspaudit.robot.formats.urdf.read import read_urdf
 from cuspaudit.robot.frames import frames
-from cuspaudit.robot.invariants import Invariants, invariants
-from cuspaudit.robot.readings import Reader
 from cuspaudit.robot.relations import relations
 from cuspaudit.robot.snap_policy import NO_SNAPPING
 from cuspaudit.robot.snapping import faithful, snap
 from cuspaudit.robot.virtual_joint import TOOL_AXES
 
-ROBOTS = Path(__file__).parents[2] / "robots"
+ROBOTS = Path(__file__).parents[3] / "robots"
 
 
 def in_meters(chain: Chain) -> Chain:

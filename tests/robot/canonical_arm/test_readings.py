@@ -5,10 +5,10 @@ from fractions import Fraction
 import pytest
 from flint import arb, ctx
 
-from cuspaudit.robot.axis_pair import Floor
+from cuspaudit.robot.canonical_arm.axis_pair import Floor
+from cuspaudit.robot.canonical_arm.links import BITS
+from cuspaudit.robot.canonical_arm.readings import Reader
 from cuspaudit.robot.chain import Angle
-from cuspaudit.robot.links import BITS
-from cuspaudit.robot.readings import Reader
 
 FLOOR = Floor(5e-6, 1e-5, 1.0)
 CAD = Reader(FLOOR, 1e-9, True, True)

@@ -22,6 +22,9 @@ import numpy as np
 from flint import arb, ctx
 from numpy.typing import NDArray
 
+from cuspaudit.robot.canonical_arm.invariants import Frame, Invariants, Row
+from cuspaudit.robot.canonical_arm.links import BITS
+from cuspaudit.robot.canonical_arm.readings import Reader, Reading
 from cuspaudit.robot.chain import (
     X_AXIS,
     Y_AXIS,
@@ -34,10 +37,7 @@ from cuspaudit.robot.chain import (
     Vector,
 )
 from cuspaudit.robot.frames import transform
-from cuspaudit.robot.invariants import Frame, Invariants, Row
 from cuspaudit.robot.lines import cross, dot
-from cuspaudit.robot.links import BITS
-from cuspaudit.robot.readings import Reader, Reading
 from cuspaudit.robot.virtual_joint import TO_Z, without_virtual_joint
 
 __all__ = ["Canonical", "Taken", "canonical"]

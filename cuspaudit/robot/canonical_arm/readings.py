@@ -19,7 +19,12 @@ from fractions import Fraction
 from flint import arb, fmpq
 
 from cuspaudit.algebra.rationals import exact_rational
-from cuspaudit.robot.axis_pair import CAP_ANGLE, CAP_LENGTH, Floor, simple_fraction
+from cuspaudit.robot.canonical_arm.axis_pair import (
+    CAP_ANGLE,
+    CAP_LENGTH,
+    Floor,
+    simple_fraction,
+)
 from cuspaudit.robot.chain import Angle
 from cuspaudit.robot.numbers import decimal_places, format_angle, format_rational
 from cuspaudit.robot.printed_angles import PI, is_printed

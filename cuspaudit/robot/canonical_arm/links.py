@@ -17,9 +17,9 @@ from fractions import Fraction
 from flint import arb, arb_mat
 
 from cuspaudit.algebra.ring import rational
+from cuspaudit.robot.canonical_arm.printed import Printed
 from cuspaudit.robot.chain import Joint, Motion, Rotation, Translation, Vector
 from cuspaudit.robot.lines import Ball
-from cuspaudit.robot.printed import Printed
 from cuspaudit.robot.printed_angles import printed_multiple
 
 __all__ = ["BITS", "Step", "axis_ball", "matrix_times", "placed", "scaled", "unit"]

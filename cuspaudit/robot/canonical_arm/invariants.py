@@ -27,10 +27,15 @@ from dataclasses import dataclass
 
 from flint import arb, ctx
 
-from cuspaudit.robot.axis_pair import Floor, Form, Meeting, Pair, length_of, turn_angle
-from cuspaudit.robot.chain import Chain, Motion
-from cuspaudit.robot.lines import Ball, cross, dot, minus
-from cuspaudit.robot.links import (
+from cuspaudit.robot.canonical_arm.axis_pair import (
+    Floor,
+    Form,
+    Meeting,
+    Pair,
+    length_of,
+    turn_angle,
+)
+from cuspaudit.robot.canonical_arm.links import (
     BITS,
     Step,
     axis_ball,
@@ -39,7 +44,9 @@ from cuspaudit.robot.links import (
     scaled,
     unit,
 )
-from cuspaudit.robot.printed import Printed, printed_errors
+from cuspaudit.robot.canonical_arm.printed import Printed, printed_errors
+from cuspaudit.robot.chain import Chain, Motion
+from cuspaudit.robot.lines import Ball, cross, dot, minus
 from cuspaudit.robot.snap_policy import SnapPolicy
 from cuspaudit.robot.virtual_joint import TO_Z, with_virtual_joint
 

@@ -1,0 +1,1 @@
+"""An arm written by its invariants: read from rounded numbers, no relation lost."""
