@@ -32,6 +32,9 @@ from cuspaudit.runtime.clock import Clock, time_limit
 
 __all__ = ["Audit", "Options", "audit"]
 
+_SEEN = 1e-10
+"""The least clearance of a path that the cross-check looks at in floating point."""
+
 
 def audit(robot: Robot, options: Options | None = None) -> Audit:
     """Audit ``robot``: verdict, proof, witness and cross-check.
@@ -115,11 +118,15 @@ def _check(
     """The comparison with Pinocchio, of both models where they are two.
 
     The numbers of the file stand for themselves by their invariants, which are shorter.
+    A path so near to a singularity that floating point does not see it from there is
+    proved in balls, and not compared.
     """
     is_snapped = with_virtual_joint(robot.chain) != found.model.chain
     literal = exact_model(faithful(robot.chain)) if is_snapped else None
     urdf = robot.urdf if robot.urdf and is_readable(robot.urdf) else None
     shown = witness or found.witness
+    if shown is not None and shown.clearance is not None:
+        shown = shown if shown.clearance > _SEEN else None
     return crosscheck(
         found.model,
         urdf=urdf,
