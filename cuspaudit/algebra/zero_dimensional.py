@@ -7,7 +7,8 @@ Two routes, the cheaper first; each result names the ground of its completeness.
 - msolve, whose answer is probabilistic. That its points are solutions is proved by
   substitution modulo omega; that none is missing, by a bound on the dimension of the
   quotient algebra: the leading monomials of the exact basis, or the rank of a matrix
-  of multiples of the equations modulo a prime (`algebra.macaulay`).
+  of multiples of the equations modulo a prime (`algebra.macaulay`), or for two curves
+  in a plane a resultant and gcds (`algebra.plane_bound`).
 """
 
 from __future__ import annotations
@@ -27,6 +28,7 @@ from cuspaudit.algebra.macaulay import bezout_number, multiples_bound
 from cuspaudit.algebra.matrix import determinant, jacobian
 from cuspaudit.algebra.msolve_points import msolve_points
 from cuspaudit.algebra.parametrization import ZeroDimensionalParametrization
+from cuspaudit.algebra.plane_bound import plane_bound
 from cuspaudit.algebra.ring import Polynomial, Ring
 from cuspaudit.algebra.system import PolynomialSystem
 from cuspaudit.errors import NotZeroDimensionalError, SetUpError, UnableError
@@ -35,6 +37,7 @@ __all__ = ["solve_zero_dimensional"]
 
 BASIS = "exact Groebner basis"
 BEZOUT = "Bezout number met"
+PLANE = "resultant, and gcds modulo 62-bit primes"
 MULTIPLES = "rank of multiples modulo 2^61 - 1"
 _SMALL = 30
 _PARTIAL = (100, 1000, 1000)
@@ -81,6 +84,7 @@ def solve_zero_dimensional(
     found = _exact(saturated, timeout, seed)
     return (
         found
+        or _in_the_plane(plain, saturated, nonzero, timeout, seed)
         or _wider(plain, nonzero, timeout, seed)
         or _by_msolve(saturated, timeout, seed)
     )
@@ -116,6 +120,20 @@ def _exact(
             if found.degree == bound:
                 return replace(found, grounds=(BASIS,))
     return parametrization_of(_kept(quotient_algebra(basis), posed), (BASIS,), seed)
+
+
+def _in_the_plane(
+    plain: Posed, saturated: Posed, nonzero: Polynomial, timeout: float, seed: int
+) -> ZeroDimensionalParametrization | None:
+    """The points with h != 0 of two plane curves, when a bound is met; else None."""
+    if len(plain.variables) != 2 or len(plain.equations) != 2:
+        return None
+    try:
+        found = _points(saturated, timeout, seed)
+        bound = plane_bound(plain.ring, *plain.equations, nonzero)
+    except UnableError:
+        return None
+    return replace(found, grounds=(PLANE,)) if found.degree == bound else None
 
 
 def _wider(
