@@ -36,11 +36,12 @@ def load(
     convention: str | None = None,
     angle_unit: str | None = None,
     length_unit: str | None = None,
+    packages: Mapping[str, str] | None = None,
 ) -> Robot:
     """The robot in a file, or of a name in the library.
 
     Args:
-        source: a URDF, a D-H table in YAML, JSON or CSV, or a name that
+        source: a URDF, MJCF or xacro file, a D-H table, or a name that
             ``cuspaudit import --list`` shows.
         tip: tip link of a URDF that has several ends.
         base: base link of a URDF; its root when left out.
@@ -51,6 +52,7 @@ def load(
         convention: ``standard`` or ``modified``, of a table that does not say.
         angle_unit: ``rad`` or ``deg``, of bare angles in a table that does not say.
         length_unit: ``m`` or ``mm``, of a table that does not say.
+        packages: name to folder, for ``$(find NAME)`` in a xacro file.
 
     Raises:
         InvalidRobotError: no such robot, or it cannot be read, or its joints do not
@@ -68,6 +70,7 @@ def load(
         convention=convention,
         angle_unit=angle_unit,
         length_unit=length_unit,
+        packages=packages,
     )
 
 
