@@ -184,6 +184,13 @@ def _sentences(record: dict[str, Any]) -> list[str]:
     kinds = [one["kind"] for one in record["laps"]]
     if "changes posture" in kinds or "repeatable after laps" in kinds:
         lines.append("a run ends in another posture: the arm is cuspidal")
+    motion = record["recorded"]
+    if motion is not None and motion["run"] is not None:
+        text = f"the recorded motion is run {motion['run']}"
+        if motion["leaves_after"] is not None:
+            last = motion["leaves_after"] + 1
+            text += f" up to waypoint {last}; then it jumps, or passes a singularity"
+        lines.append(text)
     if record["recommended"] is not None:
         lines.append(f"start in run {record['recommended']}: it has the most room")
     return lines + [f"note: {remark}" for remark in record["remarks"]]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import asdict
 from typing import Any
 
 import numpy as np
@@ -9,6 +10,7 @@ import numpy as np
 from cuspaudit.toolpath.laps import laps_of
 from cuspaudit.toolpath.margins import limit_margin, recommended, singular_margin
 from cuspaudit.toolpath.reach import first_unreachable
+from cuspaudit.toolpath.recorded import recorded_motion
 from cuspaudit.toolpath.trace import Run, Trace
 
 __all__ = ["SCHEMA", "exit_code", "trace_record"]
@@ -26,7 +28,7 @@ def trace_record(trace: Trace, name: str, file: str, laps: int = 1) -> dict[str,
         laps: how many laps of a closed path are followed.
     """
     arm, path = trace.arm, trace.path
-    missed = first_unreachable(trace)
+    missed, motion = first_unreachable(trace), recorded_motion(trace)
     return {
         "schema": SCHEMA,
         "robot": {
@@ -71,6 +73,7 @@ def trace_record(trace: Trace, name: str, file: str, laps: int = 1) -> dict[str,
         ],
         "verdict_from_path": trace.verdict_from_path,
         "recommended": recommended(trace),
+        "recorded": None if motion is None else asdict(motion),
         "unreachable": None
         if missed is None
         else {
