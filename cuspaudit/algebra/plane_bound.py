@@ -5,8 +5,8 @@ y, if that is not 0 and one of the two depends on y; the points over alpha are t
 of gcd(a, b) in Q(alpha)[y].
 For each irreducible factor m of r the degree of this gcd is bounded modulo a prime
 (``algebra.residue_gcd``); where it is more than 1, or h may vanish at a root, the exact
-gcd is made square-free and what h has in common with it is taken off. The bounds, times the degrees of the m,
-add up to one for all points of C^2 with h != 0.
+gcd is made square-free and what h has in common with it is taken off. The bounds, times
+the degrees of the m, add up to one for all points of C^2 with h != 0.
 """
 
 from __future__ import annotations
