@@ -89,15 +89,15 @@ class Field {
 
   /** Whether y . (h, g) is negative where joint a is lowest in the box, and positive where highest. */
   changesSign(box, a, b, y, pieces) {
-    const side = (edge, sign) => Array.from({ length: pieces }, (_, k) => {
+    const side = (edge, sign) => Array.from({ length: pieces }, (_, k) => k).every((k) => {
       const at = (part) => box[b].l + ((box[b].h - box[b].l) * part) / pieces;
       const [low, high] = [k === 0 ? box[b].l : at(k), k === pieces - 1 ? box[b].h : at(k + 1)];
       const { h, g } = this.flow(box.map((x, i) => (i === a ? interval(edge) : i === b ? interval(low, high) : x)));
       const total = sum(product(interval(y[0]), h), product(interval(y[1]), g));
       return isPositive(sign > 0 ? total : negated(total));
-    }).every(Boolean);
+    });
     if (side(box[a].h, 1) && side(box[a].l, -1)) return true;
-    return pieces < FINEST && this.changesSign(box, a, b, y, pieces * 8);
+    return pieces < FINEST && this.changesSign(box, a, b, y, pieces * 4);
   }
 
   /** About d(h, g) by joints a and b, by differences: for Newton's method only. */
