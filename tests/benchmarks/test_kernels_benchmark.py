@@ -25,7 +25,8 @@ def test_half_of_the_printed_map_is_spent_in_kernels(
 ) -> None:
     """Of all samples on the processor, at least half lie in msolve and FLINT."""
     data = tmp_path / "perf.data"
-    decide = ("-m", "cuspaudit", "decide", SYSTEMS / "issac-2022-printed.yaml")
+    file = SYSTEMS / "issac-2022-printed.yaml"
+    decide = ("-m", "cuspaudit", "decide", "--complete", file)
     record = ("perf", "record", "-q", "-F", "100", "-o", data, "--", sys.executable)
 
     def run() -> None:
