@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
-from cuspaudit.auditing.advice import advice_on_degeneracy, advice_without_angle
 from cuspaudit.auditing.answer import Answer
 from cuspaudit.auditing.as_written import as_written
 from cuspaudit.auditing.aspects import count_aspects
@@ -13,10 +13,10 @@ from cuspaudit.auditing.case import Case
 from cuspaudit.auditing.crosscheck.compare import CrossCheck, crosscheck
 from cuspaudit.auditing.crosscheck.pinocchio_model import is_readable
 from cuspaudit.auditing.deciders.decide import decide
+from cuspaudit.auditing.joint_limits import has_limits
 from cuspaudit.auditing.options import Options
 from cuspaudit.auditing.record import Audit
 from cuspaudit.auditing.structures import near_structures, why_undecided
-from cuspaudit.auditing.within_limits import within_limits
 from cuspaudit.auditing.witness import Witness
 from cuspaudit.certificate.margin import margin_of
 from cuspaudit.cuspidality.verdict import Verdict
@@ -29,6 +29,10 @@ from cuspaudit.robot.robot import Robot
 from cuspaudit.robot.snapping import faithful, snap
 from cuspaudit.robot.virtual_joint import with_virtual_joint
 from cuspaudit.runtime.clock import Clock, time_limit
+
+if TYPE_CHECKING:
+    from cuspaudit.auditing.within_limits import WithinLimits
+    from cuspaudit.robot.chain import Chain
 
 __all__ = ["Audit", "Options", "audit"]
 
@@ -56,7 +60,7 @@ def audit(robot: Robot, options: Options | None = None) -> Audit:
     with clock.stage("structures"):
         structures = near_structures(found)
     with clock.stage("limits"):
-        within = within_limits(
+        within = _within_limits(
             found, with_virtual_joint(robot.chain), options.seed, clock
         )
     with clock.stage("literal"):
@@ -88,13 +92,28 @@ def audit(robot: Robot, options: Options | None = None) -> Audit:
     )
 
 
+def _within_limits(
+    found: Answer, literal: Chain, seed: int, clock: Clock
+) -> WithinLimits | None:
+    """The verdict within limits; an arm without any loads nothing for it."""
+    if not has_limits(found.model.chain):
+        return None
+    from cuspaudit.auditing.within_limits import within_limits
+
+    return within_limits(found, literal, seed, clock)
+
+
 def _decide(robot: Robot, case: Case, clock: Clock) -> Answer:
     try:
         return decide(case, clock)
     except NoAngleError as error:
+        from cuspaudit.auditing.advice import advice_without_angle  # rarely given
+
         advice = advice_without_angle(case.model)
         raise NoAngleError(error.joints, robot.file, advice) from None
     except DegenerateMapError:
+        from cuspaudit.auditing.advice import advice_on_degeneracy
+
         said = advice_on_degeneracy(robot, case.model)
         raise DegenerateMapError(f"{robot.file}: {said}") from None
 

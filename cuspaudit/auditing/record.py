@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from cuspaudit.auditing.answer import Answer
 from cuspaudit.auditing.as_written import AsWritten
@@ -13,7 +13,6 @@ from cuspaudit.auditing.carried import is_carried
 from cuspaudit.auditing.crosscheck.compare import CrossCheck
 from cuspaudit.auditing.cusp_witness import CuspWitness
 from cuspaudit.auditing.structures import Structure
-from cuspaudit.auditing.within_limits import WithinLimits
 from cuspaudit.auditing.witness import Witness
 from cuspaudit.count import Count
 from cuspaudit.cuspidality.verdict import Verdict
@@ -25,6 +24,9 @@ from cuspaudit.robot.snap_policy import DEFAULT_POLICY, SnapPolicy
 from cuspaudit.robot.snapping import Snapped
 from cuspaudit.robot.virtual_joint import with_virtual_joint
 from cuspaudit.runtime.versions import versions
+
+if TYPE_CHECKING:
+    from cuspaudit.auditing.within_limits import WithinLimits
 
 __all__ = ["PACKAGES", "SCHEMA", "Audit"]
 

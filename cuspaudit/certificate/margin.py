@@ -81,11 +81,13 @@ class _Tube:
 
     def guess(self) -> Fraction:
         """A width that points of the path allow."""
-        return min(
-            self._allowed(tuple(x + (y - x) * Fraction(i, _SAMPLES - 1) for x, y in ab))
-            for ab in ([*zip(a, b, strict=True)] for a, b in self._segments)
-            for i in range(_SAMPLES)
-        )
+        width = _WIDEST
+        for a, b in self._segments:
+            ends = list(zip(a, b, strict=True))
+            for i in range(_SAMPLES):
+                part = Fraction(i, _SAMPLES - 1)
+                width = self._allowed(tuple(x + (y - x) * part for x, y in ends), width)
+        return width
 
     def is_regular(self, width: Fraction) -> bool:
         """Whether every posture within ``width`` of the path is proved nonsingular."""
@@ -103,9 +105,11 @@ class _Tube:
             waiting += [(a, middle), (middle, b)]
         return True
 
-    def _allowed(self, point: Point) -> Fraction:
-        """The largest width, to a few bits, of which ``point`` itself is proved."""
-        low, high = Fraction(0), _WIDEST
+    def _allowed(self, point: Point, widest: Fraction) -> Fraction:
+        """The largest width up to ``widest`` that is proved about a point, roughly."""
+        if self._is_regular_about(point, point, widest):
+            return widest
+        low, high = Fraction(0), widest
         for _ in range(_HALVINGS):
             middle = (low + high) / 2
             if self._is_regular_about(point, point, middle):
