@@ -29,6 +29,7 @@ from cuspaudit.kinematics.postures.exact import (
     real_postures,
 )
 from cuspaudit.kinematics.postures.numeric import PostureSolver
+from cuspaudit.toolpath.leg_system import LegSystem
 from cuspaudit.toolpath.strand import settled
 from cuspaudit.toolpath.traced_arm import TracedArm
 from cuspaudit.toolpath.waypoints import Pose
@@ -36,7 +37,8 @@ from cuspaudit.toolpath.waypoints import Pose
 __all__ = ["Solved", "SolvedPosture", "solve_pose"]
 
 _BITS = 96
-_STARTS, _SINGULAR = 48, 1e8
+_STARTS, _SINGULAR = 64, 1e8
+_STEPS, _CAUTIOUS = 30, 0.4
 
 
 @dataclass(frozen=True, eq=False)
@@ -152,19 +154,28 @@ def _wrapped(angle: arb) -> arb:
 
 
 def _numeric(arm: TracedArm, pose: Pose) -> Iterator[SolvedPosture]:
-    """What floating point finds: for six joints by elimination, else by Newton."""
-    if len(arm.chain.joints) < 6:
-        yield from _searched(arm, pose)
-        return
+    """What floating point finds: by elimination for six that turn, else by Newton."""
     try:
         solver = PostureSolver.of(arm.chain)
         target = arm.exact_pose(pose).astype(float)
         target[:3, 3] /= solver.scale
         [found] = solver.solve(target[None])
     except UnableError:
+        yield from _searched(arm, pose)
         return
     for posture in found:
         yield SolvedPosture(tuple(arb(float(x)) for x in posture), None)
+
+
+def _nearer(system: LegSystem, y: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Some cautious Newton steps from a posture far off, s kept."""
+    for _ in range(_STEPS):
+        value, slope = system.plain(y)
+        step = np.linalg.lstsq(slope[:, :-1], value, rcond=1e-9)[0]
+        y = y - np.append(np.clip(step, -_CAUTIOUS, _CAUTIOUS), 0.0)
+        if np.abs(step).max() < 1e-3:
+            break
+    return y
 
 
 def _searched(arm: TracedArm, pose: Pose) -> Iterator[SolvedPosture]:
@@ -174,8 +185,10 @@ def _searched(arm: TracedArm, pose: Pose) -> Iterator[SolvedPosture]:
     size = len(arm.turning)
     row = np.eye(size + 1)[-1]
     for start in np.random.default_rng(0).uniform(-np.pi, np.pi, (_STARTS, size)):
-        y = settled(system, np.append(start, 0.0), row)
+        y = settled(system, _nearer(system, np.append(start, 0.0)), row)
         if y is None or np.linalg.cond(system.plain(y)[1][:, :-1]) > _SINGULAR:
+            continue
+        if not system.is_genuine([arb(x) for x in y]):
             continue
         turns = np.where(arm.turning, np.round(y[:-1] / (2 * np.pi)), 0.0)
         values = y[:-1] - 2 * np.pi * turns

@@ -1,7 +1,7 @@
 """How long tool paths take: three joints and the CRX, on one core.
 
-Run with ``pytest tests/benchmarks/test_trace_benchmark.py --benchmark-only``. Bounds are
-of processor time.
+Run with ``pytest tests/benchmarks/test_trace_benchmark.py --benchmark-only``. Bounds
+are of processor time.
 """
 
 from __future__ import annotations

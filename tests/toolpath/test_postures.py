@@ -98,3 +98,16 @@ def test_joint_vectors_of_options_are_checked(text: str, words: str) -> None:
     with pytest.raises(InvalidInputError, match=words):
         joint_vector(text, mirror().robot_chain, "--joints")
     assert joint_vector("1,2,90 deg", mirror().robot_chain, "--joints")
+
+
+def test_postures_of_an_arm_with_a_slide_are_searched_and_not_called_complete() -> None:
+    """The Stanford arm: the given one is found, each is proved, none is promised."""
+    arm = traced_arm(open_robot("stanford-arm").chain)
+    text = "0.1,0.2,0.3,0.4,0.5,0.6"
+    found = list_postures(arm, asked_pose(arm, text, None, None, None))
+    given = np.array([float(x) for x in text.split(",")])
+    gaps = [
+        np.abs(np.array(posture.values) - given).max() for posture in found.postures
+    ]
+    assert min(gaps) < 1e-9 and not found.complete
+    assert all(posture.proved for posture in found.postures)
