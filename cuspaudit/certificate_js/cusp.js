@@ -1,18 +1,16 @@
 // kind "cusp": next to one posture the map of the task has a cusp.
 //
 // h = det J, g = k . grad h and k . grad g are the derivatives of h along the flow of the
-// field k = adj(J) e_r. The common zero of h and g is proved by the theorem of Poincare
-// and Miranda: two combinations of them change sign across a square.
+// field k = adj(J) e_r. The common zero of h and g is proved by Krawczyk's test in two joints.
 
 import { Arm } from "./arm.js";
-import { enclosed, excludesZero, interval, isPositive, magnitude, middle, negated, powerOfTwo,
-  product, sum } from "./interval.js";
+import { difference, enclosed, excludesZero, interval, magnitude, middle, negated, powerOfTwo,
+  product, sum, widened } from "./interval.js";
 import { UNIT } from "./jet.js";
 import { checkInside } from "./path.js";
 import { Refusal } from "./rational.js";
 
 const FARTHEST = powerOfTwo(-24);
-const FINEST = 256; // pieces of an edge
 
 export function proveCusp({ robot, limits, posture }) {
   if (robot.task === "position-and-angle") throw new Refusal("a cusp is of another task");
@@ -63,50 +61,42 @@ class Field {
     return value(this.arm.determinant(box.map((x, j) => (i === j ? [x, interval(1)] : [x]))), 1);
   }
 
+  /** The derivative of g by joint b: half the difference of two second coefficients of h,
+   *  along x + (e_b + k) t + (d k / d b) t^2 and x + (e_b - k) t - (d k / d b) t^2. */
+  slopeOfG(box, b) {
+    const along = this.kernel(box.map((x, j) => (b === j ? [x, interval(1)] : [x])));
+    const second = (turn) => value(this.arm.determinant(box.map((x, j) => {
+      const own = interval(j === b ? 1 : 0), k = along[j] || [];
+      return [x, sum(own, turn(value(k))), turn(value(k, 1))];
+    })), 2);
+    return product(difference(second((x) => x), second(negated)), interval(0.5));
+  }
+
+  derivative(box, joints) {
+    return [joints.map((i) => this.slope(box, i)), joints.map((i) => this.slopeOfG(box, i))];
+  }
+
   /** Two free joints and a square of their values, the others fixed, with h = g = 0 in it. */
   squareWithZero(posture) {
-    let point = posture.map(middle);
     const pairs = this.variables.flatMap((a) => this.variables.filter((b) => b > a).map((b) => [a, b]));
-    const size = ([a, b]) => { const [[p, q], [r, s]] = this.derivative(point, a, b); return Math.abs(p * s - q * r); };
-    const [a, b] = pairs.reduce((best, pair) => (size(pair) > size(best) ? pair : best));
-    let Y;
-    for (let step = 0; step < 4; step++) { // Newton's method finds the middle, and proves nothing
-      const [[p, q], [r, s]] = this.derivative(point, a, b);
-      const below = p * s - q * r;
-      Y = [[s / below, -q / below], [-r / below, p / below]];
-      const { h, g } = this.flow(point.map((x) => interval(x)));
-      [a, b].forEach((joint, i) => { point[joint] -= Y[i][0] * middle(h) + Y[i][1] * middle(g); });
-    }
-    const [[p, q], [r, s]] = Y.map((row) => row.map((x) => interval(x)));
-    if (!excludesZero(sum(product(p, s), negated(product(q, r))))) throw new Refusal("no cusp is proved near the posture");
-    for (let reach = powerOfTwo(-38); reach < FARTHEST / 4; reach *= 4) {
-      const box = posture.map((x, i) => (i === a || i === b ? interval(point[i] - reach, point[i] + reach) : x));
-      const near = [a, b].every((i) => box[i].h - posture[i].l < FARTHEST && posture[i].h - box[i].l < FARTHEST);
-      if (near && this.changesSign(box, a, b, Y[0], 1) && this.changesSign(box, b, a, Y[1], 1)) return box;
+    const numbers = (joints) => this.derivative(posture, joints).map((row) => row.map(middle));
+    const size = (joints) => { const [[p, q], [r, s]] = numbers(joints); return Math.abs(p * s - q * r); };
+    const joints = pairs.reduce((best, pair) => (size(pair) > size(best) ? pair : best));
+    const [[p, q], [r, s]] = numbers(joints), below = p * s - q * r;
+    const Y = [[s / below, -q / below], [-r / below, p / below]].map((row) => row.map((x) => interval(x)));
+    const applied = (column) => Y.map((row) => sum(product(row[0], column[0]), product(row[1], column[1])));
+    const centre = posture.map((x, i) => (joints.includes(i) ? interval(middle(x)) : x));
+    const { h, g } = this.flow(centre);
+    const newton = applied([h, g]);
+    for (let reach = 2 * Math.max(...newton.map(magnitude), powerOfTwo(-50)); reach < FARTHEST / 2; reach *= 2) {
+      const box = centre.map((x, i) => (joints.includes(i) ? widened(x, reach) : x));
+      const A = this.derivative(box, joints), step = interval(-reach, reach);
+      const columns = [0, 1].map((j) => applied([A[0][j], A[1][j]]));
+      const inside = [0, 1].every((i) => magnitude([0, 1].reduce((total, j) => sum(total, product(
+        difference(interval(i === j ? 1 : 0), columns[j][i]), step)), newton[i])) < reach);
+      const near = joints.every((i) => box[i].l < posture[i].l && posture[i].h < box[i].h);
+      if (inside && near) return box;
     }
     throw new Refusal("no cusp is proved near the posture");
-  }
-
-  /** Whether y . (h, g) is negative where joint a is lowest in the box, and positive where highest. */
-  changesSign(box, a, b, y, pieces) {
-    const side = (edge, sign) => Array.from({ length: pieces }, (_, k) => k).every((k) => {
-      const at = (part) => box[b].l + ((box[b].h - box[b].l) * part) / pieces;
-      const [low, high] = [k === 0 ? box[b].l : at(k), k === pieces - 1 ? box[b].h : at(k + 1)];
-      const { h, g } = this.flow(box.map((x, i) => (i === a ? interval(edge) : i === b ? interval(low, high) : x)));
-      const total = sum(product(interval(y[0]), h), product(interval(y[1]), g));
-      return isPositive(sign > 0 ? total : negated(total));
-    });
-    if (side(box[a].h, 1) && side(box[a].l, -1)) return true;
-    return pieces < FINEST && this.changesSign(box, a, b, y, pieces * 4);
-  }
-
-  /** About d(h, g) by joints a and b, by differences: for Newton's method only. */
-  derivative(point, a, b) {
-    const at = (joint, step) => this.flow(point.map((x, i) => interval(i === joint ? x + step : x)));
-    const columns = [a, b].map((joint) => {
-      const [there, back] = [at(joint, 1e-5), at(joint, -1e-5)];
-      return [middle(there.h) - middle(back.h), middle(there.g) - middle(back.g)].map((x) => x / 2e-5);
-    });
-    return [[columns[0][0], columns[1][0]], [columns[0][1], columns[1][1]]];
   }
 }
