@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from fractions import Fraction
 
+import pytest
 from joint_boxes import within
 from short_tables import arm, degrees
 
@@ -26,6 +27,7 @@ def limited(low: int, high: int) -> Chain:
     return ISSAC.with_joints(joints)
 
 
+@pytest.mark.slow
 def test_the_bracket_holds_by_another_question() -> None:
     """Both ends are what the box decision says of the range that they stand for."""
     [cut] = limit_cuts(exact_model(limited(-150, 170)), 0, Clock())

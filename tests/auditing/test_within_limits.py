@@ -23,6 +23,7 @@ from cuspaudit.robot.task import check_limits
 
 ISSAC = arm((1, 2, "3/2"), (0, 1, 0), (-90, 90, 0))
 SCHEMA = json.loads(files("cuspaudit.auditing").joinpath("schema.json").read_text())
+LONG = [pytest.param(ends, marks=pytest.mark.slow) for ends in [(-95, 95), (0, 800)]]
 #: joints 2 and 3 of ISSAC: with a cusp inside, and without any couple
 CUSP = ((-170, 170), (-170, 170), (-170, 170))
 SMALL = ((-170, 170), (-20, 20), (-20, 20))
@@ -96,6 +97,7 @@ def test_monotony_settles_a_noncuspidal_arm() -> None:
     assert record["proof"]["kind"] == "monotony"
 
 
+@pytest.mark.slow
 def test_a_wrist_follows_its_three_joints() -> None:
     """Noncuspidal within the limits of the first three joints: so is the arm."""
     found = audit(limited(with_wrist(ISSAC), SMALL))
@@ -128,7 +130,13 @@ def test_equal_limits_count_as_none(tmp_path: Path) -> None:
     assert checked(audit(limited(ISSAC, ((5, 5), None, (0, 0))))) is None
 
 
-@pytest.mark.parametrize("ends", [(-1, 1), (-95, 95), (-400, 400)])
+@pytest.mark.parametrize(
+    "ends",
+    [
+        (-1, 1),
+        *(pytest.param(e, marks=pytest.mark.slow) for e in [(-95, 95), (0, 800)]),
+    ],
+)
 def test_limits_of_the_first_joint_alone_keep_a_cusp(ends: tuple[int, int]) -> None:
     """T2: whatever the range of joint 1, a cusp stays inside."""
     record = checked(audit(limited(ISSAC, (ends, None, None))))

@@ -29,7 +29,9 @@ def random_limits(rng: random.Random) -> Limits:
     return found
 
 
-@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize(
+    "seed", [0, 1, *(pytest.param(k, marks=pytest.mark.slow) for k in range(2, 8))]
+)
 def test_two_routes_agree(seed: int) -> None:
     """Pairs and sample values give one verdict and one number of aspects."""
     limits = random_limits(random.Random(seed))
@@ -73,6 +75,7 @@ def test_a_first_joint_that_hardly_moves_keeps_a_cusp() -> None:
         assert within(ISSAC, ((0, width), *box)).verdict is Verdict.CUSPIDAL
 
 
+@pytest.mark.slow
 def test_moving_the_range_of_the_first_joint_changes_nothing() -> None:
     """Only the length of the range of joint 1 counts."""
     box = ((-170, -30), (-40, 170))
@@ -80,7 +83,9 @@ def test_moving_the_range_of_the_first_joint_changes_nothing() -> None:
     assert len({(f.verdict, f.aspects, f.pairs) for f in found}) == 1
 
 
-@pytest.mark.parametrize("seed", range(3))
+@pytest.mark.parametrize(
+    "seed", [0, *(pytest.param(k, marks=pytest.mark.slow) for k in (1, 2))]
+)
 def test_a_mirror_image_has_the_mirrored_limits(seed: int) -> None:
     """In the mirror every joint turns the other way, and every limit with it.
 
@@ -95,6 +100,7 @@ def test_a_mirror_image_has_the_mirrored_limits(seed: int) -> None:
     assert first.aspects == second.aspects
 
 
+@pytest.mark.slow
 def test_scaled_arms_and_shifted_joints() -> None:
     """Lengths in another unit change nothing; whole turns move the box along."""
     limits = (None, (-27, 169), (-213, 30))
@@ -115,7 +121,7 @@ def test_joints_turned_round_have_their_limits_turned() -> None:
     assert (found.verdict, found.aspects) == (first.verdict, first.aspects)
 
 
-@pytest.mark.parametrize("kinds", ["RRP", "PRR"])
+@pytest.mark.parametrize("kinds", [pytest.param("RRP", marks=pytest.mark.slow), "PRR"])
 def test_slides_with_limits(kinds: str) -> None:
     """A slide is limited like an interval of the line, by both routes."""
     chain = arm((1, 2, "3/2"), (0, 1, 0), (-90, 60, 30), kinds)
@@ -128,6 +134,7 @@ def test_slides_with_limits(kinds: str) -> None:
     assert first.aspects == second.aspects
 
 
+@pytest.mark.slow
 def test_a_short_first_slide_needs_no_more_than_its_length() -> None:
     """Growing ranges of a first slide go from noncuspidal to cuspidal once."""
     chain = arm((1, 2, "3/2"), (0, 1, 0), (-60, 90, 0), "PRR")
