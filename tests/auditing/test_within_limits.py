@@ -130,13 +130,7 @@ def test_equal_limits_count_as_none(tmp_path: Path) -> None:
     assert checked(audit(limited(ISSAC, ((5, 5), None, (0, 0))))) is None
 
 
-@pytest.mark.parametrize(
-    "ends",
-    [
-        (-1, 1),
-        *(pytest.param(e, marks=pytest.mark.slow) for e in [(-95, 95), (0, 800)]),
-    ],
-)
+@pytest.mark.parametrize("ends", [(-1, 1), *LONG])
 def test_limits_of_the_first_joint_alone_keep_a_cusp(ends: tuple[int, int]) -> None:
     """T2: whatever the range of joint 1, a cusp stays inside."""
     record = checked(audit(limited(ISSAC, (ends, None, None))))
