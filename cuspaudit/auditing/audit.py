@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar
 
 from cuspaudit.auditing.answer import Answer
 from cuspaudit.auditing.as_written import as_written
@@ -16,13 +17,14 @@ from cuspaudit.auditing.deciders.decide import decide
 from cuspaudit.auditing.joint_limits import has_limits
 from cuspaudit.auditing.options import Options
 from cuspaudit.auditing.record import Audit
-from cuspaudit.auditing.structures import near_structures, why_undecided
+from cuspaudit.auditing.structures import Structure, near_structures, why_undecided
 from cuspaudit.auditing.witness import Witness
 from cuspaudit.certificate.margin import margin_of
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import (
     DegenerateMapError,
     NoAngleError,
+    TimeLimitError,
 )
 from cuspaudit.kinematics.exact_model import exact_model
 from cuspaudit.robot.robot import Robot
@@ -35,6 +37,11 @@ if TYPE_CHECKING:
     from cuspaudit.robot.chain import Chain
 
 __all__ = ["Audit", "Options", "audit"]
+
+Found = TypeVar("Found")
+
+_GRACE = 0.5
+"""Seconds after the time limit in which what is nearly free may still be found."""
 
 _SEEN = 1e-10
 """The least clearance of a path that the cross-check looks at in floating point."""
@@ -58,20 +65,23 @@ def audit(robot: Robot, options: Options | None = None) -> Audit:
         with clock.stage("aspects"):
             found = carried(_with_aspects(found, clock))
     with clock.stage("structures"):
-        structures = near_structures(found)
+        none: tuple[Structure, ...] = ()
+        structures = _in_time(clock, lambda: near_structures(found), none)
     with clock.stage("limits"):
-        within = _within_limits(
-            found, with_virtual_joint(robot.chain), options.seed, clock
-        )
+        written = with_virtual_joint(robot.chain)
+        with time_limit(None if clock.left is None else clock.left + _GRACE):
+            within = _within_limits(found, written, options.seed, clock)
     with clock.stage("literal"):
         with time_limit(clock.left):
             literal = as_written(robot.chain, found, snapped, options.seed, clock)
         why = None
         if literal.verdict is Verdict.UNDECIDED:
-            why = why_undecided(exact_model(faithful(robot.chain)))
+            model = exact_model(faithful(robot.chain))
+            why = _in_time(clock, lambda: why_undecided(model), None)
     with clock.stage("margin"):
         shown = (literal.is_same_path and literal.witness) or found.witness
-        margin = margin_of(shown.certificate) if shown else None
+        is_late = clock.left == 0.0
+        margin = margin_of(shown.certificate) if shown and not is_late else None
     with clock.stage("crosscheck"):
         clock.step("crosscheck", always=True)
         check = _check(robot, found, literal.witness, options)
@@ -101,6 +111,15 @@ def _within_limits(
     from cuspaudit.auditing.within_limits import within_limits
 
     return within_limits(found, literal, seed, clock)
+
+
+def _in_time(clock: Clock, work: Callable[[], Found], instead: Found) -> Found:
+    """What an extra comes to; ``instead`` when it goes on after the time limit."""
+    try:
+        with time_limit(None if clock.left is None else clock.left + _GRACE):
+            return work()
+    except TimeLimitError:
+        return instead
 
 
 def _decide(robot: Robot, case: Case, clock: Clock) -> Answer:

@@ -77,6 +77,7 @@ def near_structures(found: Answer) -> tuple[Structure, ...]:
     judged = []
     is_asked = False
     for near in nearest_structures(found.model):
+        check_time("structures")
         if near.holds and _is_sure(near):
             judged.append(_structure(near, found.verdict, found.aspects, holds=True))
         elif is_regular_somewhere(near.model):

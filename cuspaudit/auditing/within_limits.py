@@ -45,7 +45,7 @@ from cuspaudit.count import Count
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import RetryableError, UnableError
 from cuspaudit.robot.chain import Chain
-from cuspaudit.runtime.clock import Clock
+from cuspaudit.runtime.clock import Clock, check_time
 
 __all__ = ["FreeWitness", "WithinLimits", "within_limits"]
 
@@ -235,6 +235,7 @@ def _around(cusps: list[CuspWitness], literal: Chain) -> Iterator[Witness]:
         limits = [interval_of(joint) for joint in cusp.chain.joints]
         for path in islice(paths_around(cusp.chain, cusp.posture, limits), _PATHS):
             for chain in dict.fromkeys((literal, cusp.chain)):
+                check_time("limits")
                 witness = _limited(path, chain)
                 if witness is not None:
                     yield witness

@@ -193,9 +193,10 @@ def test_steps_are_announced() -> None:
     assert steps[-2:] == ["certificate", "crosscheck"]
 
 
-def test_time_that_is_up_is_undecided() -> None:
+@pytest.mark.parametrize("name", ["baili-2004-wt1", "raghavan-roth"])
+def test_time_that_is_up_is_undecided(name: str) -> None:
     """With no time there is no verdict, and the audit still ends with its check."""
-    found = audit(open_robot("baili-2004-wt1"), Options(timeout=0))
+    found = audit(open_robot(name), Options(timeout=0))
     record = found.record()
     assert record["verdict"] == "undecided"
     assert "time limit" in record["undecided"]["why"]

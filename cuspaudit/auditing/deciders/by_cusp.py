@@ -29,11 +29,11 @@ def by_cusp(case: Case, clock: Clock) -> Answer | None:
         return None
     try:
         clock.step("cusp")
+        cusp = next(find_cusps(chain, case.seed), None)
+        if cusp is None and has_limits(chain):
+            cusp = next(find_cusps(chain, case.seed, inside=False), None)
     except UnableError:
         return None
-    cusp = next(find_cusps(chain, case.seed), None)
-    if cusp is None and has_limits(chain):
-        cusp = next(find_cusps(chain, case.seed, inside=False), None)
     if cusp is None:
         return None
     at = ", ".join(f"{value:.4g}" for value in cusp.posture)

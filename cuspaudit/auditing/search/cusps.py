@@ -25,6 +25,7 @@ from numpy.typing import NDArray
 
 from cuspaudit.robot.chain import Chain
 from cuspaudit.robot.frames import transform
+from cuspaudit.runtime.clock import check_time
 
 __all__ = [
     "FoundCusp",
@@ -117,6 +118,7 @@ def _settled(
     margin = np.where(np.isfinite(high - low), _MARGIN * (high - low), 0.0)
     with np.errstate(all="ignore"):
         for _ in range(steps):
+            check_time("cusp")
             q = np.clip(q + map_.step(q), low + margin, high - margin)
         q = np.round(q + map_.step(q), _DIGITS)
         left = np.abs(map_.conditions(q)[0]).max(1)

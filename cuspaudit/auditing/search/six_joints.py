@@ -90,8 +90,9 @@ def search(
         UnableError: the chain is not of this kind.
     """
     looking = _Looking(chain, seed, most)
-    looking.climb()
     try:
+        progress("search: maxima of |det J|")
+        looking.climb()
         while not looking.is_done:
             progress(f"search: {looking.poses} poses, {len(looking.joined)} paths")
             looking.look()
@@ -125,6 +126,7 @@ class _Looking:
     counts: Counter[int] = field(default_factory=Counter)
     couples: list[_Couple] = field(default_factory=list)
     joined: set[tuple[tuple[float, ...], ...]] = field(default_factory=set)
+    largest: float = 0.0
 
     def __post_init__(self) -> None:
         self.rng = np.random.default_rng(self.seed)

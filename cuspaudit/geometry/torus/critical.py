@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cuspaudit.algebra.angles import separation, shortest_turn
+from cuspaudit.runtime.clock import check_time
 
 __all__ = [
     "FAST",
@@ -101,6 +102,7 @@ def critical_points(h: TorusHeight, starts: Array) -> Array:
 
     found, x = [np.empty((0, h.dimension))], starts
     for _ in range(_NEWTON_STEPS):
+        check_time("critical points")
         done = np.abs(h.gradient(x)).max(1) < _CONVERGED * h.size
         found.append(x[done])
         x = x[~done]
@@ -125,6 +127,7 @@ def critical_sheets(h: TorusHeight, starts: Array) -> Array:
 
     points, settled = starts, np.zeros(len(starts))
     for _ in range(_SHEET_STEPS):
+        check_time("critical points")
         points, settled = _newton_step(h, points, solve, _SHEET_STEP)
     height = np.abs(h(points))
     good = (settled < _SETTLED) & (height > _LOWEST * height.max(initial=0.0))
@@ -171,6 +174,7 @@ def climb(h: TorusHeight, starts: Array, pace: Pace) -> Array:
     stride, height = np.full(len(x), pace.first), np.abs(h(starts))
     ways = [x]
     for _ in range(pace.steps):
+        check_time("ascents")
         slope = sign[:, None] * h.gradient(x)
         length = np.linalg.norm(slope, axis=1) + 1e-300
         active = np.ones(len(x), dtype=bool)

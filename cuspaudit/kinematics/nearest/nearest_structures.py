@@ -39,6 +39,7 @@ from cuspaudit.kinematics.nearest.patterns import (
 )
 from cuspaudit.kinematics.theorems.theorem import Reduction
 from cuspaudit.robot.chain import Chain
+from cuspaudit.runtime.clock import check_time
 
 __all__ = ["AxisMove", "NearStructure", "nearest_structures"]
 
@@ -137,6 +138,7 @@ def _nearest(
     model: ExactModel, pattern: Pattern, moves: _Moves
 ) -> NearStructure | None:
     for moved in _ways(pattern, moves)[:_TRIED]:
+        check_time("structures")
         near = exact_model(exact_arm(model.chain, moved.links(moves.links)))
         reduction = pattern.theorem.apply(near)
         if reduction is not None:
