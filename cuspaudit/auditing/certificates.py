@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
 from cuspaudit.auditing.pairs_certificate import pairs_certificate
 from cuspaudit.auditing.record import Audit
 from cuspaudit.auditing.structure_certificate import structure_certificate
-from cuspaudit.auditing.within_limits import WithinLimits
 from cuspaudit.certificate import Certificate, text_from_certificate
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.robot.chain import Chain
 from cuspaudit.robot.virtual_joint import with_virtual_joint
+
+if TYPE_CHECKING:
+    from cuspaudit.auditing.within_limits import WithinLimits
 
 __all__ = ["certificate_of_audit", "certificate_text"]
 
