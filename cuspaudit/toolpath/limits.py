@@ -1,7 +1,9 @@
 """Where a run leaves the limits of a joint, or one of its windings does.
 
-Limits are open intervals. A joint value that differs by whole turns is the same posture
-in another winding; a joint whose range is longer than a turn has several inside.
+Limits are open intervals, taken 1e-9 shorter at each end: a joint that stands at its
+limit to so much has no room, and files write 2 pi with a dozen digits. A joint value
+that differs by whole turns is the same posture in another winding; a joint whose range
+is longer than a turn has several inside.
 
 On a tube on which the joint value is monotone the limit is met once, if the two ends
 lie on different sides of it, and never, if both lie inside. Other tubes are halved.
@@ -31,6 +33,7 @@ Array = NDArray[np.float64]
 
 _BRIEFEST = 1e-7
 _SLACK = 1e-12
+_INWARD = 1e-9
 MOST_WINDINGS = 10_000
 
 
@@ -90,7 +93,7 @@ def joint_ranges(joints: Sequence[Joint], scales: Array) -> list[Range | None]:
             else arb(rational(limit)) / scale
             for limit in joint.limits
         )
-        result.append(Range(low, high))
+        result.append(Range(low + _INWARD, high - _INWARD))
     return result
 
 
@@ -99,7 +102,7 @@ def windings(
     turning: Sequence[bool],
     values: Sequence[arb],
     usual: Sequence[int],
-) -> Iterator[tuple[tuple[int, ...], bool]]:
+) -> Iterator[tuple[int, ...]]:
     """The windings of a posture inside the limits.
 
     Args:
@@ -109,13 +112,12 @@ def windings(
         usual: turns to add to joints without limits.
 
     Yields:
-        the turns to add to each joint, and whether it is proved to be inside; where it
-        is not, a joint is at its limit as far as can be told.
+        the turns to add to each joint.
     """
-    choices: list[list[tuple[int, bool]]] = []
+    choices: list[list[int]] = []
     for interval, turns, value, own in zip(ranges, turning, values, usual, strict=True):
         if interval is None:
-            choices.append([(own, True)])
+            choices.append([own])
             continue
         reach = [0]
         if turns:
@@ -123,10 +125,8 @@ def windings(
             low = int(np.floor((float(interval.low) - float(value)) / step)) - 1
             high = int(np.ceil((float(interval.high) - float(value)) / step)) + 1
             reach = list(range(low, high + 1))
-        found = [(k, interval.has(value + 2 * arb.pi() * k)) for k in reach]
-        choices.append([(k, bool(has)) for k, has in found if has is not False])
-    for combined in product(*choices):
-        yield tuple(k for k, _ in combined), all(sure for _, sure in combined)
+        choices.append([k for k in reach if interval.has(value + 2 * arb.pi() * k)])
+    yield from product(*choices)
 
 
 def first_leaving(

@@ -131,7 +131,7 @@ def _posture(arm: TracedArm, known: Known, aspect: int | None) -> Posture:
     reach = 0.0 if known.knot is None else float(known.knot.reach.max())
     values, none = [arb(x, reach) for x in known.values], [0] * len(known.values)
     every = windings(ranges, arm.balls.revolute, values, none)
-    inside = [turns[:n] for turns, sure in every if sure]
+    inside = [turns[:n] for turns in every]
     return Posture(
         tuple((known.values * arm.scales + 0.0)[:n].tolist()),
         determinant(arm, known.values),

@@ -270,11 +270,11 @@ def _all_runs(
             )
         leavings = _Leavings(legs, free, ranges)
         ends_in = found.ends.index(index) if index in found.ends else None
-        for turns, sure in inside:
+        for turns in inside:
             leaving = leavings.first(turns)
-            runs.append(_run(arm, number, posture, free, turns, leaving, sure, ends_in))
+            runs.append(_run(arm, number, posture, free, turns, leaving, ends_in))
         if not inside:
-            run = _run(arm, number, posture, free, usual, None, True, ends_in)
+            run = _run(arm, number, posture, free, usual, None, ends_in)
             runs.append(_outside(run))
     return runs
 
@@ -322,7 +322,6 @@ def _run(
     free: FreeRun,
     turns: tuple[int, ...],
     leavings: list[Leaving] | None,
-    sure: bool,
     ends_in: int | None,
 ) -> Run:
     n = arm.joints
@@ -340,8 +339,6 @@ def _run(
             joint = arm.chain.joints[leaving.joint].name
         elif leaving.low <= bound:
             end, at, proved, last = "undecided", leaving.low, False, leaving.posture
-    if not sure:
-        end, at, proved, last, joint = "undecided", 0.0, False, free.first.at, None
     return Run(
         number,
         tuple(start.tolist()),
