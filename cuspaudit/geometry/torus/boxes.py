@@ -156,9 +156,16 @@ class Boxes:
         return np.asarray(length > spread + self.slack)
 
     def _convex(self, u: Array, width: Array) -> Truths:
-        """Where the second derivative of h along one line is positive."""
-        v = np.linalg.eigh(self._hessian(u))[1][:, :, -1]
-        own = np.einsum("mij,mi,mj->m", self._hessian(u), v, v)
+        """Where the second derivative of h along one line is positive.
+
+        Any line will do: that of the largest curvature is tried. Where floating point
+        has overflowed there is none, and no answer but False.
+        """
+        hessian = self._hessian(u)
+        finite = np.isfinite(hessian).all(axis=(1, 2))
+        hessian[~finite] = np.eye(hessian.shape[1])
+        v = np.linalg.eigh(hessian)[1][:, :, -1]
+        own = np.einsum("mij,mi,mj->m", hessian, v, v)
         turn, move = np.abs(v[:, 0]), np.abs(v[:, 1:])
         # with A, B, C the second, first, zeroth derivatives of (P, Q) along the line,
         # the second derivative is u . A + S'' + 2 v_0 u' . B - v_0^2 u . C
@@ -180,7 +187,7 @@ class Boxes:
         spread = third[:, 1]
         for w, a, change in zip(weight, middle, moved, strict=True):
             spread = spread + w * (change + width * (a + change))
-        return np.asarray(own > spread + self.slack)
+        return np.asarray(finite & (own > spread + self.slack))
 
     def _gradient(self, u: Array) -> Array:
         """The gradient of h at u and the centers: (m, 1 + k), the circle first."""
