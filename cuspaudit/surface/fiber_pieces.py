@@ -270,6 +270,8 @@ class FiberPieces:
         low, high = (edge.ball(ctx.prec) for edge in self.limits)
         at_end = [x.sign(end) == 0 for end in self.at_limits]
         found = []
+        if not all(zero.is_finite() for zero in zeros):
+            return None
         for zero in zeros:
             for k in windings(self.fiber, low, high, zero):
                 here = zero + k * turn()

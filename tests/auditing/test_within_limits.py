@@ -17,6 +17,7 @@ from cuspaudit.auditing.certificates import certificate_text
 from cuspaudit.certificate import certificate_from_text, verify
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.robot.chain import Chain
+from cuspaudit.robot.library import open_robot
 from cuspaudit.robot.place import Place
 from cuspaudit.robot.robot import Robot
 from cuspaudit.robot.task import check_limits
@@ -146,3 +147,9 @@ def test_one_range_for_all_joints_is_remarked() -> None:
     assert "exporter's default" in note
     joints[0] = replace(joints[0], limits=(degrees(-170), degrees(180)))
     assert check_limits(ISSAC.with_joints(joints), Place("arm.urdf")) == []
+
+
+def test_a_direction_that_no_ball_holds_is_no_error() -> None:
+    """Where a zero of det J has every angle at once, more bits are asked for."""
+    record = audit(open_robot("finger_edu")).record()
+    assert record["limits"]["verdict"] == record["verdict"] == "noncuspidal"
