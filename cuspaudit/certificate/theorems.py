@@ -5,6 +5,9 @@ noncuspidal. docs/certificate.md has their statements with proofs. The words bel
 are not of the certificate: two axes in a row are a *pair*, and three a *triple*, when
 they are meeting or parallel; the joints of both turn.
 
+An entry here lets a certificate be checked. `auditing.structure_certificate` proposes
+the relations that are written, and the checker in JavaScript has its own list.
+
 A certificate lists exactly the relations of its theorem: what is listed is tested, and
 what is not listed is not there.
 """

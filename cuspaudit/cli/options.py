@@ -48,7 +48,8 @@ RobotName = Annotated[
     str,
     typer.Argument(
         metavar="ROBOT",
-        help="A .urdf, a .yaml or .csv D-H table, or a name from `import --list`.",
+        help="A robot file (URDF, xacro, MJCF, a D-H table), or a name from "
+        "`import --list`.",
     ),
 ]
 Base = Annotated[str | None, typer.Option(help="Base link of a URDF.")]

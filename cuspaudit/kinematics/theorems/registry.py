@@ -1,6 +1,7 @@
 """The theorems that decide an arm, or lead to a smaller one [mathematics 6.1].
 
-To add one: a file beside this one, with its proof, and a line here.
+To add one: a file beside this one, with its proof, and a line here. Its certificate is
+written elsewhere; CONTRIBUTING.md says where.
 """
 
 from __future__ import annotations
