@@ -113,9 +113,10 @@ def plot_family(
     shown = phases_of(folder, plane.x, plane.y, plane.colour, fixed)
     drawn = (shown.rows, shown.x, shown.y, shown.colour)
     if ending == ".png":
-        output.write_bytes(draw_phases(*drawn, "png"))
+        output.write_bytes(draw_phases(*drawn, "png", shown.title, shown.labels))
     else:
-        svg = draw_phases(*drawn, "svg")
+        title = "" if ending == ".html" else shown.title
+        svg = draw_phases(*drawn, "svg", title, shown.labels)
         text = svg.decode()
         if ending == ".html":
             audit_members(folder, shown.files, audits)

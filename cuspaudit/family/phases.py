@@ -14,6 +14,7 @@ from cuspaudit.family.family import Family, exact_text
 from cuspaudit.family.family_file import read_family
 from cuspaudit.family.row import Row
 from cuspaudit.family.store import read_rows
+from cuspaudit.robot.chain import Angle
 from cuspaudit.robot.place import Place
 from cuspaudit.robot.robot import COUNTS
 
@@ -31,6 +32,7 @@ class Phases:
         rows: the members in the plane.
         x: the parameter to the right.
         y: the parameter upwards.
+        labels: of the two, with units where they are known.
         colour: the column that is shown.
         files: member index to the text of its robot file.
     """
@@ -39,6 +41,7 @@ class Phases:
     rows: list[Row]
     x: str
     y: str
+    labels: tuple[str, str]
     colour: str
     files: Mapping[int, str]
 
@@ -84,9 +87,38 @@ def phases_of(
     kept = [row for row in rows if _is_at(row, values)]
     if not kept:
         raise _error(folder, "no member there", "leave out --fix, or sweep on")
-    held = "".join(f", {name} = {exact_text(v)}" for name, v in values.items())
     files = {row["index"]: _file(family, row["index"]) for row in kept}
-    return Phases(family.name + held, kept, x, y, colour, files)
+    title = ", ".join([family.name, *_others(family, (x, y), values)])
+    labels = _label(family, x), _label(family, y)
+    return Phases(title, kept, x, y, labels, colour, files)
+
+
+def _others(
+    family: Family, shown: tuple[str, str], fixed: Mapping[str, Value]
+) -> list[str]:
+    """The parameters that are not shown: their value, or that they have any."""
+    said = []
+    for p in family.parameters:
+        value = p.value(0) if p.size == 1 else fixed.get(p.name)
+        if p.name not in shown:
+            held = f"{p.name} = {exact_text(value)}" if value is not None else None
+            said.append(held or f"any {p.name}")
+    return said
+
+
+def _label(family: Family, name: str) -> str:
+    """A parameter with its unit: of an angle, or of the length that it is itself."""
+    (parameter,) = (p for p in family.parameters if p.name == name)
+    if any(isinstance(v, Angle) for v in parameter.bounds or parameter.values):
+        return f"{name} (rad)"
+    places = {
+        column
+        for (_, column, _), e in family.cells.items()
+        if e.text.lstrip("- ") == name
+    }
+    units = family.rows.head.get("units")
+    unit = units.get("length") if isinstance(units, Mapping) else units
+    return f"{name} ({unit})" if unit and places & {"a", "d"} else name
 
 
 def _is_at(row: Row, values: Mapping[str, Value]) -> bool:

@@ -113,10 +113,13 @@ def _names(mechanism: Mechanism) -> list[str]:
 
 def _labels(mechanism: Mechanism) -> tuple[str, ...]:
     if mechanism.problem == "inverse":
-        flat = ("x", "y", "z")[: mechanism.space]
+        flat = tuple(f"{x} (the file's unit)" for x in "xyz"[: mechanism.space])
         return (*flat, "turn of the platform (deg)") if mechanism.body else flat
     numbered = list(enumerate(mechanism.legs, 1))
-    words = {"length": "square of length {}", "slider": "place of slide {}"}
+    words = {
+        "length": "square of length {} (the file's unit squared)",
+        "slider": "place of slide {} (the file's unit)",
+    }
     flat = tuple(
         words[leg.kind].format(i)
         for i, leg in numbered

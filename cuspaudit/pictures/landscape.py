@@ -156,14 +156,13 @@ def _of_joints(routing: AspectRouting, at: int, centre: Array, name: str) -> Sli
     angles = (np.arange(_SIDE) + 0.5) * 2 * np.pi / _SIDE - np.pi
     points = np.tile(centre, (_SIDE, _SIDE, 1))
     points[..., at], points[..., at + 1] = np.meshgrid(angles, angles)
-    numbers = [routing.joints[k] + 1 for k in pair]
-    first, second = (f"θ{'₀₁₂₃₄₅₆'[n]}: joint {n} (rad)" for n in numbers)
+    joints = (routing.joints[k] for k in pair)
+    first, second = (f"{_theta(k)}: joint {k + 1} (rad)" for k in joints)
     place = shortest_turn(centre[pair])
     window = (-np.pi, np.pi, -np.pi, np.pi)
     heights = _heights(routing, points)
-    return Slice(
-        f"through {name}", (first, second), window, heights, {name[0]: place}, ()
-    )
+    title = f"through {name}{_standing(routing, centre, pair)}"
+    return Slice(title, (first, second), window, heights, {name[0]: place}, ())
 
 
 def _of_ends(routing: AspectRouting, marks: dict[str, Array], path: Array) -> Slice:
@@ -181,7 +180,26 @@ def _of_ends(routing: AspectRouting, marks: dict[str, Array], path: Array) -> Sl
     window = (float(low[0]), float(high[0]), float(low[1]), float(high[1]))
     labels = ("from N along the line of A (rad)", "across it (rad)")
     heights = _heights(routing, points)
-    return Slice("through A, N and B", labels, window, heights, placed, (flat,))
+    title = f"through A, N and B{_standing(routing, centre)}"
+    return Slice(title, labels, window, heights, placed, (flat,))
+
+
+def _standing(routing: AspectRouting, at: Array, free: Sequence[int] = ()) -> str:
+    """A line that says where the joints stand that the plane does not turn."""
+    held = [
+        f"{_theta(joint)} = {angle:.2f}".replace("-", "−")
+        for k, (joint, angle) in enumerate(
+            zip(routing.joints, shortest_turn(at), strict=True)
+        )
+        if k not in free
+    ]
+    of_mark = "" if free else "N: "
+    return f"\n{of_mark}{', '.join(held)} rad" if held else ""
+
+
+def _theta(joint: int) -> str:
+    """The name of a joint's angle, joints counted from 0."""
+    return f"θ{'₁₂₃₄₅₆'[joint]}"
 
 
 def _notes(routing: AspectRouting) -> list[str]:

@@ -22,6 +22,7 @@ from cuspaudit.geometry.angles import unrolled
 from cuspaudit.geometry.atypical_values import atypical_values
 from cuspaudit.geometry.heights.guessed_ways import random_points
 from cuspaudit.parallel.drawing import drawn
+from cuspaudit.robot.numbers import format_rational
 from cuspaudit.viz.mechanism_page import Frame, MechanismPage
 from cuspaudit.viz.plot.sheet import Note, Sheet
 
@@ -29,6 +30,11 @@ __all__ = ["page_of", "values_sheet"]
 
 Array = NDArray[np.float64]
 
+_COLOURS = {"critical": "#a63a0c", "even": "#c9ccd1"}
+_LAYERS = {
+    "critical": "Values at which modes are born or die",
+    "even": "Factors of even multiplicity: perhaps no critical values",
+}
 _GRID = 400
 _POINTS = 300
 #: of the axes of space in the plane of the drawing
@@ -106,27 +112,41 @@ def values_sheet(system: SystemFile, timeout: float = 120.0, seed: int = 1) -> S
     labels = system.loops.labels if system.loops else ("r1", "r2")
 
     def draw(figure: Any, note: Note) -> None:
+        figure.get_layout_engine().set(rect=(0, 0.03, 1, 0.97))
         plane = figure.add_subplot()
+        shown = {}
         for grid, odd in curves:
             if (grid > 0).any() and (grid < 0).any():
-                colour = "#a63a0c" if odd else "#c9ccd1"
-                mark = plane.contour(*axes, grid.T, levels=[0.0], colors=colour)
                 layer = "critical" if odd else "even"
+                colour = _COLOURS[layer]
+                mark = plane.contour(*axes, grid.T, levels=[0.0], colors=colour)
                 note(mark, layer, "a piece of the curve of critical values")
+                shown[layer] = plane.plot([], [], color=colour, label=_LAYERS[layer])
         plane.set_xlabel(labels[0])
         plane.set_ylabel(labels[1])
+        handles = [shown[layer][0] for layer in _LAYERS if layer in shown]
+        if handles:
+            below: dict[str, Any] = {"bbox_to_anchor": (0.5, -0.1), "frameon": False}
+            plane.legend(handles=handles, loc="upper center", fontsize=9, **below)
 
     return Sheet(
         title=f"{system.name}: critical values",
-        notes=["Sampled on a grid of 400 by 400."],
+        notes=[*_held(system), f"Sampled on a grid of {_GRID} by {_GRID}."],
         about="the curve of critical values in the plane of values",
-        layers={
-            "critical": "Values at which modes are born or die",
-            "even": "Factors of even multiplicity: perhaps no critical values",
-        },
+        layers=_LAYERS,
         draw=draw,
-        size=(6.4, 6.0),
+        size=(6.4, 6.6),
     )
+
+
+def _held(system: SystemFile) -> list[str]:
+    """The legs whose length is fixed, a sentence each."""
+    legs = system.loops.mechanism.legs if system.loops else ()
+    return [
+        f"Leg {number} has the fixed length {format_rational(leg.rod)}."
+        for number, leg in enumerate(legs, 1)
+        if leg.kind == "length" and leg.rod is not None
+    ]
 
 
 def _windows(

@@ -36,6 +36,36 @@ def test_a_plane_is_cut_out(swept: Path, tmp_path: Path) -> None:
     assert read_dh(member).name == f"ur-pattern-{shown.rows[4]['index']}"
 
 
+def test_a_picture_says_what_is_held_and_in_what_unit(swept: Path) -> None:
+    """The title has the values held, the axes the unit of length; a page no title."""
+    shown = phases_of(swept, fixed={"d5": "1/10"})
+    assert shown.title == "ur-pattern, d5 = 0.1"
+    assert shown.labels == ("a2 (m)", "a3 (m)")
+    drawn = (shown.rows, shown.x, shown.y, shown.colour, "svg")
+    words = ("ur-pattern, d5 = 0.1", "a2 (m)", "a3 (m)")
+    picture = draw_phases(*drawn, shown.title, shown.labels).decode()
+    assert all(f"<!-- {text} -->" in picture for text in words)
+    assert "<!-- ur-pattern" not in draw_phases(*drawn).decode()
+
+
+def test_an_angle_is_in_rad_and_a_lone_value_is_held(tmp_path: Path) -> None:
+    """An angle's axis says rad, one inside an expression nothing; one value is held."""
+    file = tmp_path / "family.yaml"
+    file.write_text(
+        "family: turned\nrobot:\n  convention: standard\n  units: mm\n"
+        "  task: position\n  joints:\n"
+        "    - {type: revolute, a: 2*r, alpha: twist, d: 0}\n"
+        "    - {type: revolute, a: 2, alpha: -pi/2, d: d2}\n"
+        "    - {type: revolute, a: 3/2, alpha: 0, d: 0}\n"
+        "parameters:\n  r: {values: [1/2, 1]}\n"
+        "  twist: {values: [pi/2, -pi/2]}\n  d2: {values: [1]}\n"
+    )
+    sweep(file, tmp_path / "out", 1)
+    shown = phases_of(tmp_path / "out")
+    assert shown.labels == ("r", "twist (rad)")
+    assert shown.title == "turned, d2 = 1"
+
+
 def test_every_member_has_its_title(swept: Path) -> None:
     """SVG and page name every member under the pointer; PNG is a picture."""
     shown = phases_of(swept, fixed={"d5": "0.1"})

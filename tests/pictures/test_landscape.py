@@ -84,6 +84,22 @@ def test_slices_without_a_path_go_through_a_maximum() -> None:
         assert not plane.lines
 
 
+def test_a_plane_says_where_the_other_joints_stand() -> None:
+    """The joints that a plane does not turn are in its title, at the mark's angles."""
+    first, second, third = drawn("ur5").slices
+    (two, three), (_, four), (_, five) = (p.marks["M"] for p in (first, second, third))
+    for plane, held in (
+        (first, {"₄": four, "₅": five}),
+        (second, {"₂": two, "₅": five}),
+        (third, {"₂": two, "₃": three}),
+    ):
+        said = ", ".join(f"θ{k} = {angle:.2f}" for k, angle in held.items())
+        assert plane.title.endswith("\n" + said.replace("-", "−") + " rad")
+    across = drawn("fanuc-crx-10ia-l").slices[0].title
+    assert "N: θ₂ = " in across
+    assert across.count("=") == 4
+
+
 def test_an_arm_is_drawn_by_what_decides_it() -> None:
     """A spherical wrist gives the planes of its three joints, a UR5 its landscape."""
     wrist = picture_of(open_robot("puma-560"), None, Options())

@@ -142,7 +142,7 @@ class Slice:
     """A plane through the torus of the joints that det J depends on.
 
     Attributes:
-        title: what the plane goes through.
+        title: what the plane goes through, and where the other joints stand.
         labels: of the two axes.
         window: (left, right, bottom, top), rad.
         heights: (rows from the bottom, columns) det J over the largest |det J|.

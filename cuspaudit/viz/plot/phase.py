@@ -11,6 +11,7 @@ import html
 import io
 import re
 from collections.abc import Mapping, Sequence
+from textwrap import fill
 from typing import Any
 
 import numpy as np
@@ -35,7 +36,15 @@ _VERDICTS = {
 Rows = Sequence[Mapping[str, Any]]
 
 
-def draw_phases(rows: Rows, x: str, y: str, colour: str, file_format: str) -> bytes:
+def draw_phases(
+    rows: Rows,
+    x: str,
+    y: str,
+    colour: str,
+    file_format: str,
+    title: str = "",
+    labels: tuple[str, str] | None = None,
+) -> bytes:
     """The phase diagram as a picture.
 
     Args:
@@ -44,6 +53,8 @@ def draw_phases(rows: Rows, x: str, y: str, colour: str, file_format: str) -> by
         y: the parameter upwards.
         colour: "verdict", or the name of a count.
         file_format: "png" or "svg"; an SVG shows a member's title under the pointer.
+        title: over the picture; none on a page, which has its own.
+        labels: of the two axes; the names of the parameters when left out.
     """
     names = [_name(row, colour) for row in rows]
     classes = sorted(set(names), key=lambda name: (len(name), name))
@@ -73,7 +84,10 @@ def draw_phases(rows: Rows, x: str, y: str, colour: str, file_format: str) -> by
     for row, (px, py) in zip(rows, points, strict=True):
         (dot,) = axes.plot(px, py, "o", color="black", ms=size**0.5, mew=0)
         dot.set_gid(f"member-{row['index']}")
-    axes.set(xlabel=x, ylabel=y)
+    right, up = labels or (x, y)
+    axes.set(xlabel=right, ylabel=up)
+    if title:
+        figure.suptitle(fill(title.replace("$", r"\$"), 70), fontsize=12)
     handles = [Patch(color=c, label=n) for c, n in zip(colours, classes, strict=True)]
     figure.legend(handles=handles, title=colour, loc="outside right upper")
     stream = io.BytesIO()

@@ -64,11 +64,12 @@ def _draw_tree(axes: Any, data: Landscape, note: Note) -> None:
         text = f"witness {data.clearance:.3f}"
         label = axes.annotate(text, (1, data.clearance), (-3, 4), **_AT_RIGHT)
         label.set_path_effects(halo(2.5))
-    for name, place in data.ends.items():
-        _draw_mark(axes, name, place, f"{name}, at {place[1]:.4f} of the largest", note)
+        axes.set_xlim(-0.5, 1.3 * len(data.leaves) - 0.5)  # room for the label
     axes.set_yscale("function", functions=(np.cbrt, lambda x: x**3))
     axes.set_yticks([0, 0.01, 0.05, 0.1, 0.25, 0.5, 1.0])
     axes.set_ylim(0, 1.25)
+    for name, place in data.ends.items():
+        _draw_mark(axes, name, place, f"{name}, at {place[1]:.4f} of the largest", note)
     axes.set_xticks([])
     axes.set_xlabel("maxima of |det J|, the number of the aspect over each")
     axes.set_ylabel("|det J| over the largest (cube-root scale)")
@@ -92,9 +93,9 @@ def _draw_slice(axes: Any, plane: Slice, note: Note) -> None:
         (mark,) = axes.plot(*line.T, color=BLACK, lw=1.7, zorder=4, dashes=(3, 1.5))
         note(edge, "path", "")
         note(mark, "path", "the witness path, seen along the other joints")
+    frame(axes, plane.window, plane.labels, (not plane.lines, not plane.lines))
     for name, place in plane.marks.items():
         _draw_mark(axes, name, place, f"{name} ({place[0]:.3f}, {place[1]:.3f})", note)
-    frame(axes, plane.window, plane.labels, (not plane.lines, not plane.lines))
     axes.set_title(f"det J in the plane {plane.title}")
 
 
@@ -102,7 +103,9 @@ def _draw_mark(axes: Any, name: str, place: Array, says: str, note: Note) -> Non
     """A named black dot."""
     (mark,) = axes.plot(*place[:, None], "o", color=BLACK, mec="white", ms=8, zorder=7)
     note(mark, "postures", says)
-    text = axes.annotate(name, place, (7, 6), path_effects=halo(2.5), **_NAMED)
+    share = axes.transAxes.inverted().transform(axes.transData.transform(place))
+    offset = (-16 if share[0] > 0.94 else 7, -15 if share[1] > 0.94 else 6)
+    text = axes.annotate(name, place, offset, path_effects=halo(2.5), **_NAMED)
     note(text, "postures", says)
 
 

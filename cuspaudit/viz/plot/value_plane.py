@@ -76,7 +76,8 @@ def plot_value_plane(axes: Any, data: ValuePlane, note: Note | None = None) -> N
             mark.set_label("rational sample points")
             shown.append(mark)
     mark = mark_at(axes, data.focus, "D", "none", BLACK, 11, 1.4)
-    mark.set_label("value of the postures A, B, ...")
+    place = "({:.3f}, {:.3f})".format(*data.focus).replace("-", "−")
+    mark.set_label(f"{place}: value of A, B, ...")
     note(mark, "postures", f"{pair(data.focus)}: its postures are A, B, ...")
     shown.append(mark)
     for count, colour in zip(counts, colours, strict=True):

@@ -173,6 +173,18 @@ def plane(*lines: np.ndarray) -> Slice:
     )
 
 
+def test_the_name_of_a_mark_stays_inside_the_plane() -> None:
+    """At the upper right corner the name stands to the lower left of its mark."""
+    corner = replace(plane(), marks={"N": np.array([3.1, 3.1])})
+    drawing = figure(landscape_sheet(replace(hills(), slices=(corner,))))
+    drawing.draw_without_rendering()
+    axes = drawing.axes[1]
+    (name,) = (text for text in axes.texts if text.get_text() == "N")
+    inner, outer = name.get_window_extent(), axes.get_window_extent()
+    assert inner.x1 < outer.x1
+    assert inner.y1 < outer.y1
+
+
 def hills() -> Landscape:
     """A landscape made by hand."""
     return Landscape(
