@@ -4,8 +4,10 @@
 (`surface.atypical_values`): a zero of finitely many polynomials, which along a leg are
 polynomials in its parameter. Their real roots cut the path into intervals; in the
 interior of each the postures are constant in number and every one lies on a run. So if
-at one rational parameter of every interval the postures, counted exactly, are as many
-as the runs alive there, no run is missing. One that is missing is followed from there.
+at one rational parameter of every interval each posture, all of them found exactly,
+has a knot in a tube of a known run, no run is missing. One that is missing is followed
+from there. In the first and last interval the postures of the first and last pose
+serve: each must have its run, or be singular itself, a root.
 
 Other arms: a run that is born on the way and reaches neither end of the path, nor is
 joined to one that does, would not be seen; that is said.
@@ -13,11 +15,11 @@ joined to one that does, would not be seen; that is said.
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from itertools import pairwise
 
-import numpy as np
 from flint import arb, ctx, fmpq, fmpq_poly
 
 from cuspaudit.algebra.ring import Polynomial, Ring, rational
@@ -29,16 +31,18 @@ from cuspaudit.surface.atypical_values import atypical_values
 from cuspaudit.surface.fibers import fiber_polynomials
 from cuspaudit.toolpath.leg_system import LegSystem
 from cuspaudit.toolpath.reduced_value import reduced_value
-from cuspaudit.toolpath.runs import loop_runs
+from cuspaudit.toolpath.runs import FreeRun, loop_runs
 from cuspaudit.toolpath.starts import Solved, solve_pose
-from cuspaudit.toolpath.strand import looped
+from cuspaudit.toolpath.strand import Link, looped, unwound
 from cuspaudit.toolpath.strands import Followed, known_postures
 from cuspaudit.toolpath.traced_arm import TracedArm
+from cuspaudit.toolpath.tube import Knot
 from cuspaudit.toolpath.waypoints import Pose, ToolPath
 
 __all__ = ["complete_runs"]
 
 _NARROWEST = 1e-7
+_GRID = 2**30
 _NOT_COUNTED = (
     "runs that are born on the way and meet neither end of the path are not looked for"
 )
@@ -71,8 +75,10 @@ def complete_runs(
     except (AssumptionError, RetryableError, UnableError) as limit:
         return False, [f"{_NOT_COUNTED}: {limit}"]
     complete = True
+    links: dict[int, list[Link]] = defaultdict(list)
+    _sort(found.runs, links)
     for leg, s in between:
-        complete = _is_complete(arm, path, legs, leg, s, found) and complete
+        complete = _is_complete(arm, path, legs, leg, s, found, links) and complete
     if not complete:
         remarks.append("at some parameter of the path not every posture has a run")
     return complete, remarks
@@ -107,7 +113,7 @@ def _between(a: tuple[int, arb], b: tuple[int, arb]) -> tuple[int, Fraction]:
         leg, low, high = b[0], 0.0, float(b[1].lower())
     if high - low < _NARROWEST:
         raise UnableError("births", f"two events within 1e-7 near {leg + low:.9g}")
-    return leg, Fraction((low + high) / 2).limit_denominator(10**9)
+    return leg, Fraction(round((low + high) / 2 * _GRID), _GRID)
 
 
 class _Walls:
@@ -170,49 +176,58 @@ def _is_complete(
     leg: int,
     s: Fraction,
     found: Followed,
+    links: dict[int, list[Link]],
 ) -> bool:
-    """Whether all postures at a parameter have a run; missing runs are added."""
+    """Whether all postures at a parameter have a run; missing runs are added.
+
+    Args:
+        arm: the arm.
+        path: the tool path.
+        legs: its equations.
+        leg: a leg, and
+        s: a parameter on it, a double.
+        found: the runs.
+        links: theirs, by leg.
+    """
     a, b = path.poses[leg], path.poses[leg + 1]
     x, y, z = (p + s * (q - p) for p, q in zip(a.position, b.position, strict=True))
     solved = solve_pose(arm, Pose((x, y, z)))
     if not solved.complete:
         return False
-    at = leg + float(s)
-    if len(solved.postures) == _alive(found, at):
-        return True
     for known in known_postures(arm, legs[leg], solved, float(s)):
         if known.knot is None:
             return False
-        if _has_run(arm, found, at, known.values):
+        if _has_run(arm, links[leg], known.knot):
             continue
-        links = looped(legs, leg, known.knot)
-        if links is None:
+        loop = looped(legs, leg, known.knot)
+        if loop is None:
             return False
-        found.runs += loop_runs(legs, links)
-    return len(solved.postures) == _alive(found, at)
+        runs = loop_runs(legs, loop)
+        found.runs += runs
+        _sort(runs, links)
+        if not _has_run(arm, links[leg], known.knot):
+            return False
+    return True
 
 
-def _alive(found: Followed, at: float) -> int | None:
-    """How many runs are alive; None where that cannot be told of one."""
-    states = [run.is_alive(at) for run in found.runs]
-    return None if None in states else states.count(True)
+def _sort(runs: Sequence[FreeRun], links: dict[int, list[Link]]) -> None:
+    """Add the links of runs to those of their legs."""
+    for run in runs:
+        for link in run.links:
+            links[link.leg].append(link)
 
 
-def _has_run(arm: TracedArm, found: Followed, at: float, values: np.ndarray) -> bool:
-    """Whether a run passes near a posture at a parameter: for searching."""
-    for run in found.runs:
-        if not run.is_alive(at):
+def _has_run(arm: TracedArm, links: Sequence[Link], knot: Knot) -> bool:
+    """Whether the posture in a knot is on a run, proved: in a tube of one of its links.
+
+    There s is monotone. The knot is between the two of the link, as the tube reaches
+    beyond them.
+    """
+    s = float(knot.at[-1])
+    for link in links:
+        ends = float(link.before.at[-1]), float(link.after.at[-1])
+        if not min(ends) <= s <= max(ends):
             continue
-        rows = run.points
-        order = np.argsort(rows[:, -1], kind="stable")
-        rows = rows[order]
-        k = min(max(int(np.searchsorted(rows[:, -1], at)), 1), len(rows) - 1)
-        low, high = rows[k - 1], rows[k]
-        gap = high[-1] - low[-1]
-        share = (at - low[-1]) / gap if gap else 0.0
-        near = low[:-1] + share * (high[:-1] - low[:-1])
-        size = max(0.05, float(np.abs(high[:-1] - low[:-1]).max()))
-        turns = np.where(arm.turning, np.round((near - values) / (2 * np.pi)), 0)
-        if np.abs(near - values - 2 * np.pi * turns).max() < size:
+        if link.tube.holds(unwound(arm.balls, knot, link.tube)):
             return True
     return False

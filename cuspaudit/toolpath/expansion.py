@@ -28,12 +28,18 @@ from numpy.typing import NDArray
 from cuspaudit.toolpath.ball_arm import cross
 from cuspaudit.toolpath.leg_system import LegSystem
 
-__all__ = ["ROUNDING", "Expansion", "expansion_at"]
+__all__ = ["NOISE", "ROUNDING", "Expansion", "expansion_at"]
 
 Array = NDArray[np.float64]
 
 ROUNDING = 1e-13
-"""Covers the rounding of some products and sums of doubles, relative to their size."""
+"""Covers the rounding of a few sums and products in coordinates, relative to them."""
+
+NOISE = 2e-12
+"""Covers the rounding of K and its derivatives, relative to their size (`tube`)."""
+
+_NARROW = 1e-15
+_ROOM = 2.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -49,6 +55,8 @@ class Expansion:
         turns: (n, 3), angular velocities of the joints.
         speeds: (n, 3).
         back: R(s)^T.
+        sound: whether the balls of K were narrower than 1e-15 of its size, and the
+            hand is not half a turn off, proved.
     """
 
     system: LegSystem
@@ -59,6 +67,7 @@ class Expansion:
     turns: Array
     speeds: Array
     back: Array
+    sound: bool = True
 
     @cached_property
     def bend(self) -> Array:
@@ -101,9 +110,12 @@ class Expansion:
 
     @cached_property
     def sizes(self) -> Array:
-        """L for each row: what bounds derivatives of K of any order."""
+        """L for each row: what bounds derivatives of K of any order.
+
+        Slides may move by 2 in all from the point.
+        """
         system = self.system
-        slides = np.abs(self.at[:-1][~system.arm.turns]).sum() + 1.0
+        slides = np.abs(self.at[:-1][~system.arm.turns]).sum() + _ROOM
         if system.arm.turns.all():
             slides = 0.0
         result = np.zeros(system.size)
@@ -141,7 +153,17 @@ def expansion_at(system: LegSystem, at: Array) -> Expansion:
         slope[3:, :n], slope[3:, n] = back @ turns.T, -back @ system.omega
     middle = np.array([float(v) for v in value])
     error = np.array([float(v.rad()) for v in value]) * 1.001 + np.abs(middle) * 1e-15
-    return Expansion(system, at, middle, error, slope, turns, speeds, back)
+    sound = (
+        _widest(placed.turns) < _NARROW
+        and _widest(placed.speeds) < _NARROW * system.arm.reach
+        and system.is_genuine_at(placed, y)
+    )
+    return Expansion(system, at, middle, error, slope, turns, speeds, back, sound)
+
+
+def _widest(rows: list[list[arb]]) -> float:
+    """The largest radius."""
+    return max(float(x.rad()) for row in rows for x in row)
 
 
 def _orders(n: int) -> tuple[NDArray[np.intp], NDArray[np.intp]]:

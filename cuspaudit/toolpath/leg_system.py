@@ -168,12 +168,15 @@ class LegSystem:
 
     def is_genuine(self, y: Sequence[arb]) -> bool:
         """Whether a zero in the box ``y`` is no half turn, proved."""
+        return self.is_genuine_at(self.arm.placed(y[:-1]), y)
+
+    def is_genuine_at(self, placed: Placed, y: Sequence[arb]) -> bool:
+        """The same, the arm being ``placed`` at y: E turns by less than 90 degrees."""
         if self.signs is not None:
             return bool(self._angle(y).cos() > 0)
         if not self.has_pose:
             return True
-        tip = self.arm.placed(y[:-1]).tip
-        return bool((self.goal.back(y[-1]) * _turn(tip)).trace() > 1)
+        return bool((self.goal.back(y[-1]) * _turn(placed.tip)).trace() > 1)
 
     def _angle(self, y: Sequence[arb]) -> arb:
         assert self.signs is not None and self.goal.psi is not None

@@ -192,10 +192,11 @@ def _isolated(system: LegSystem, link: Link, k: int, interval: Range) -> Leaving
     if knot is None or not tube.holds(knot):
         return _somewhere(link, k, True)
     s = link.leg + float(y[-1])
-    # the limit is known to 1e-14 at least: so much further the curve may have to go
+    # the double nearest to the limit is so near: the curve may have to go further
+    off = 1e-14 * (1 + abs(limit))
     speed = max(abs(tube.rise_low[-1]), abs(tube.rise_high[-1]))
     own = min(abs(tube.rise_low[k]), abs(tube.rise_high[k]))
-    slack = _SLACK + float(knot.reach[-1]) + 1e-14 * float(speed / own)
+    slack = _SLACK * (1 + s) + float(knot.reach[-1]) + off * float(speed / own)
     return Leaving(k, s - slack, s + slack, True, y[:-1])
 
 

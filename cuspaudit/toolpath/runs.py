@@ -9,6 +9,7 @@ sides of a piece on which s' may have zeros, the strand may only touch: undecide
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -93,14 +94,6 @@ class FreeRun:
             rows.append(_row(link, last.at))
         return np.array(rows)
 
-    def is_alive(self, at: float) -> bool | None:
-        """Whether it is alive at a parameter; None inside the window of its ends."""
-        if self.begin.high < at < self.end.low:
-            return True
-        if at < self.begin.low or at > self.end.high:
-            return False
-        return self.begin.kind == "path" == self.end.kind or None
-
 
 def _row(link: Link, point: Array) -> Array:
     row = point.copy()
@@ -181,7 +174,10 @@ def loop_runs(legs: Sequence[LegSystem], links: Sequence[Link]) -> list[FreeRun]
 def _window(flat: list[Link]) -> Bound:
     low = min(link.leg + float(link.tube.low[-1]) for link in flat)
     high = max(link.leg + float(link.tube.high[-1]) for link in flat)
-    return Bound("singular", low, high)
+    # the sums are rounded
+    return Bound(
+        "singular", math.nextafter(low, -math.inf), math.nextafter(high, math.inf)
+    )
 
 
 def _right(groups: list[tuple[int, list[Link]]], index: int, strand: Strand) -> Bound:

@@ -60,18 +60,25 @@ def known_postures(
 ) -> list[Known]:
     """The postures of a pose, each with a knot where it is regular.
 
+    A knot is that of the posture: its box holds the solver's ball, where the solver is
+    exact. Two postures of a complete list have two knots then.
+
     Args:
         arm: the arm.
         system: of a leg with this pose at one end.
         solved: the postures of the pose.
         s: 0.0 or 1.0, the end of the leg.
     """
-    return [
-        known_posture(
-            arm, system, [float(v.mid()) for v in posture.values], s, posture.sign
-        )
-        for posture in solved.postures
-    ]
+    result = []
+    for posture in solved.postures:
+        middle = [float(v.mid()) for v in posture.values]
+        known = known_posture(arm, system, middle, s, posture.sign)
+        if solved.complete and known.knot is not None:
+            boxes = zip(known.knot.balls(), posture.values, arm.scales, strict=False)
+            if not all(box.contains(ball / scale) for box, ball, scale in boxes):
+                known = Known(None, known.values, posture.sign)
+        result.append(known)
+    return result
 
 
 def known_posture(

@@ -164,6 +164,7 @@ class Trace:
             if to is not None
             and self.runs[to].posture != self.runs[k].posture
             and self.runs[k].proved
+            and _apart(self.arm, self.runs[to].start, self.runs[k].start)
         ]
 
     @property
@@ -203,6 +204,9 @@ def trace_path(
         found = follow_path(arm, legs, starts, ends)
         progress("births")
         complete, remarks = complete_runs(arm, path, legs, first, last, found)
+        if complete and not _all_met(found, starts, ends):
+            complete = False
+            remarks.append("a posture of the first or last pose could not be followed")
         _check(arm, first, last, found, starts, ends)
         progress("limits")
         ranges = _ranges(arm, limited)
@@ -235,6 +239,24 @@ def _starts(
         if own.knot is not None and not met:
             known.append(own)
     return known
+
+
+def _apart(arm: TracedArm, a: Sequence[float], b: Sequence[float]) -> bool:
+    """Whether two postures, known to 1e-11, are not the same up to whole turns."""
+    gap = np.array(a) - np.array(b)
+    turns = np.where(arm.turning[: arm.joints], np.round(gap / (2 * np.pi)), 0.0)
+    return bool(
+        np.abs((gap - 2 * np.pi * turns) / arm.scales[: arm.joints]).max() > 1e-9
+    )
+
+
+def _all_met(found: Followed, starts: Sequence[Known], ends: Sequence[Known]) -> bool:
+    """Whether each posture of the two outer poses has its run, or is singular."""
+    pairs = [
+        *zip(starts, found.starts, strict=True),
+        *zip(ends, found.ends, strict=True),
+    ]
+    return all(known.sign == 0 or run is not None for known, run in pairs)
 
 
 def _ranges(arm: TracedArm, limited: bool) -> list[Range | None]:

@@ -30,6 +30,33 @@ curve is monotone in it.
 
 A knot is a box round a point with a zero in it. If it lies in two tubes, its zero
 belongs to the curves of both, and they are pieces of one curve.
+
+**Rounding.** c, a, e, N, Y, w, t0 and t1 are the doubles that they are: the theorem is
+about these. F(c) comes with its radius. What is left is the rounding of K and of sums
+and products, u = 2^-53 each. `TubeBounds.is_admissible` refuses what is not of moderate
+size: n <= 7, T <= 4, 2 T |e|_1 <= 4, path = T |a| + T^2 |e| <= 1, sides <= 1, and a and
+N orthonormal to 4e-15. Let rows = |Y| L, columns <= sqrt(8) the sums of |N|, and
+measure each term by the product of the absolute values of its factors. An entry of K is
+known to u of itself and 1e-15 of L, as `expansion` checks, so to 9 u of L; |a| <= 4.2
+and |a| + 2 T |e| <= 17, as the goal turns by at most pi.
+
+- Y K N, Y K a, 2 T Y K e: at most 20 roundings each, and 2 T |e| <= 4, so 80 u = 9e-15
+  of |Y| |K|, and 15e-15 of rows for K itself.
+- K' : products of two known entries (18 u), 3 roundings, then two or three products of
+  length 8: 48 u = 5.3e-15 of its size, which absolute values in place of norms make at
+  most 3 times as large. T Y K'[a] N, T^2 Y K'[e] N and the part of the sides in Y K' N
+  are at most sqrt(8) rows, so 4.5e-14 rows each; T Y K'[a] a at most 4.2 rows, so
+  7e-14; T^2 Y (K'[e] a + 2 K'[a] e) at most 12.6 rows, so 2e-13; what the sides have in
+  K' y' at most 17 rows, so 2.7e-13.
+- K'': 87 u = 1e-14; the four products of `Expansion.twice` and absolute values in place
+  of norms make its size at most 21 times as large: with T^2 |a|^2 / 2 <= 1/2 that gives
+  3e-13 rows in K N and 4.5e-13 rows in K y'.
+
+No sum of these is above 1.1e-12 (rows + |Y| |K|); NOISE is 2e-12. In coordinates there
+are at most 12 roundings of numbers below 8 + |offset|, 1.3e-15 of them, and what a and
+N lack to orthonormal, 3.2e-14 |offset|: ROUNDING (1 + |offset|) is more. The bounds
+themselves are polynomials of positive numbers, with less than 100 roundings, 1.2e-14 of
+their size: `_UP` is more.
 """
 
 from __future__ import annotations
@@ -41,7 +68,7 @@ import numpy as np
 from flint import arb
 from numpy.typing import NDArray
 
-from cuspaudit.toolpath.expansion import ROUNDING, Expansion, expansion_at
+from cuspaudit.toolpath.expansion import NOISE, ROUNDING, Expansion, expansion_at
 from cuspaudit.toolpath.leg_system import LegSystem
 
 __all__ = ["Axis", "Knot", "Tube", "axis_at", "beside", "knot_at", "tube_round"]
@@ -54,6 +81,8 @@ _KNOT = 1e-12
 _CONTRACTS = 0.9
 _TRIES = 4
 _UP = 1 + 1e-12
+_MOST_T, _MOST_BEND, _MOST_PATH, _MOST_SIDE, _MOST_OFF = 4.0, 4.0, 1.0, 1.0, 0.1
+_MOST_JOINTS, _SQUARE = 7, 4e-15
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -121,7 +150,7 @@ class Tube:
         if not self.span[0] < t - reach <= t + reach < self.span[1]:
             return False
         z = self.across.T @ (offset - t * t * self.bow)
-        moved = 2 * abs(t) * reach * np.abs(self.across.T @ self.bow)
+        moved = (2 * abs(t) + reach) * reach * np.abs(self.across.T @ self.bow) * _UP
         sides = np.abs(self.across.T) @ knot.reach + moved + slack
         return bool((np.abs(z) + sides < self.widths).all())
 
@@ -135,6 +164,9 @@ class Tube:
 def knot_at(system: LegSystem, at: Array, across: Array) -> Knot | None:
     """A tiny box round ``at``, in the directions ``across``, with exactly one zero.
 
+    Krawczyk's test with the inverse of K(at) N, as in the theorem with t = 0; on the
+    box K differs from K(at) by its first derivative times the reach at most.
+
     Args:
         system: the leg.
         at: a zero, nearly.
@@ -142,16 +174,21 @@ def knot_at(system: LegSystem, at: Array, across: Array) -> Knot | None:
     """
     here = expansion_at(system, at)
     Y = inverse(here.slope @ across)
-    if Y is None:
+    if Y is None or not here.sound or system.size > _MOST_JOINTS:
         return None
     reach = np.abs(across).sum(axis=1) * _KNOT
-    rest = here.length(reach) * (here.sizes + float(system.has_pose)) * 2
-    columns = np.abs(across).sum(axis=0)
-    size = float(np.abs(Y).sum(axis=1).max())
-    left = size * float((rest[:, None] * columns).max()) * system.size
-    left += ROUNDING * size * (1 + float(np.abs(here.slope).max())) * system.size
+    moved, rows = here.length(reach) * _UP, _rows(Y, here)
+    left = np.abs(np.eye(len(Y)) - Y @ (here.slope @ across))
+    left += _noise(Y, rows, here)[:, None]
+    left += np.outer(rows * moved, np.abs(across).sum(axis=0))
+    if system.has_pose or system.signs is not None:
+        off = _off(here)
+        if not off < _MOST_OFF:
+            return None
+        turn = np.sqrt((Y[:, 3:] ** 2).sum(axis=1))
+        left += np.outer(turn * (off + moved), _turn_columns(across, system))
     own = np.abs(Y) @ (np.abs(here.value) + here.value_error)
-    if not (own + left * _KNOT < _KNOT).all():
+    if not ((own + left.sum(axis=1) * _KNOT) * _UP < _KNOT).all():
         return None
     return Knot(at, reach * _UP)
 
@@ -182,6 +219,8 @@ class Axis:
 def axis_at(system: LegSystem, at: Array, heading: Array) -> Axis | None:
     """The axis through ``at``, a zero nearly, on the side of ``heading``."""
     here = expansion_at(system, at)
+    if not here.sound:
+        return None
     square = np.vstack([here.slope, heading])
     right = np.zeros(len(at))
     right[-1] = 1.0
@@ -212,7 +251,7 @@ def tube_round(axis: Axis, ends: tuple[Array, Array]) -> Tube | None:
     margin = _BEYOND * (last - first)
     span = first - margin, last + margin
     bounds = TubeBounds(axis, max(abs(span[0]), abs(span[1])))
-    found = bounds.widths()
+    found = bounds.widths() if bounds.is_admissible else None
     if found is None:
         return None
     widths, strain = found
@@ -257,10 +296,8 @@ class TubeBounds:
             2 * a2 + 2 * a1**2 + 2.5 * T * a1 * a2 + T**2 * a2**2
         )
         size = np.abs(Y)
-        self.rows = np.sqrt((Y[:, :3] ** 2).sum(axis=1)) * here.sizes[0]
-        if len(Y) > 3:
-            self.rows += np.sqrt((Y[:, 3:] ** 2).sum(axis=1)) * here.sizes[-1]
-        noise = ROUNDING * (1 + self.rows + size @ np.abs(here.slope).sum(axis=1))
+        self.rows = _rows(Y, here)
+        noise = _noise(Y, self.rows, here)
         # K y' = r0 + t r1 + t^2 g + rest
         r0, r1 = here.slope @ a, 2 * (here.slope @ e) + along @ a
         g = second @ a + 2 * (along @ e)
@@ -279,15 +316,29 @@ class TubeBounds:
         self.turn = None
         if system.has_pose or system.signs is not None:
             self.turn = np.sqrt((Y[:, 3:] ** 2).sum(axis=1))
-            size_g = float(np.sqrt((g[3:] ** 2).sum())) + ROUNDING
-            own_turn = float(np.abs(here.value[3:]).sum() + here.value_error[3:].sum())
-            self.turned = (
-                T**3 / 3 * size_g + T * self.rest_speed / 4 + own_turn + ROUNDING
-            )
-            self.turning = T**2 * size_g + self.rest_speed + ROUNDING
-            joints = np.abs(N[:-1]).sum(axis=0)
-            self.turn_columns = joints + system.rate * np.abs(N[-1])
+            s0, s1, s2 = (float(np.sqrt((r[3:] ** 2).sum())) for r in (r0, r1, g))
+            row = float(np.abs(here.slope[3:]).sum(axis=1).max())
+            swing = self.rest_speed / 4 + 2 * NOISE * (2 + row)
+            self.turned = T * (s0 + T / 2 * s1 + T**2 / 3 * s2 + swing) + _off(here)
+            self.turning = s0 + T * s1 + T**2 * s2 + self.rest_speed + swing
+            self.turn_columns = _turn_columns(N, system)
             self.own = self.own + self.turn * self.turned**2
+
+    @property
+    def is_admissible(self) -> bool:
+        """Whether all sizes are such that the slack exceeds the rounding."""
+        axis, square = (
+            self._axis,
+            np.column_stack([self._axis.along, self._axis.across]),
+        )
+        return bool(
+            len(axis.Y) <= _MOST_JOINTS
+            and self.T <= _MOST_T
+            and 2 * self.T * float(np.abs(axis.bow).sum()) <= _MOST_BEND
+            and self.path <= _MOST_PATH
+            and (self.turn is None or _off(axis.here) <= _MOST_OFF)
+            and np.abs(square.T @ square - np.eye(len(square))).max() <= _SQUARE
+        )
 
     def widths(self) -> tuple[Array, float] | None:
         """Widths with which the test succeeds, and the bound of |1 - Y F' N|."""
@@ -296,7 +347,7 @@ class TubeBounds:
         for _ in range(_TRIES):
             left = self._left(widths)
             strain = float(left.sum(axis=1).max())
-            if not strain < _CONTRACTS:
+            if not strain < _CONTRACTS or not self._side(widths) <= _MOST_SIDE:
                 return None
             needed = (self.own + left @ widths) * _UP
             if bool((needed < widths).all()):
@@ -335,6 +386,31 @@ class TubeBounds:
         """Derivatives of order 2 and more in which the sides have a part."""
         third = ((self.path + side) ** 3 - self.path**3) / 6
         return self.path * side + side**2 / 2 + third
+
+
+def _rows(Y: Array, here: Expansion) -> Array:
+    """What bounds Y times a derivative of a column of K."""
+    rows = np.sqrt((Y[:, :3] ** 2).sum(axis=1)) * here.sizes[0]
+    if len(Y) > 3:
+        rows += np.sqrt((Y[:, 3:] ** 2).sum(axis=1)) * here.sizes[-1]
+    return np.asarray(rows)
+
+
+def _noise(Y: Array, rows: Array, here: Expansion) -> Array:
+    """More than the rounding of Y times K and its derivatives, by rows."""
+    own = np.abs(Y) @ np.abs(here.slope).sum(axis=1)
+    return np.asarray(NOISE * (1 + rows + own))
+
+
+def _off(here: Expansion) -> float:
+    """How far the hand at most is turned from its goal at c: its sine is less."""
+    return 1.01 * float(np.abs(here.value[3:]).sum() + here.value_error[3:].sum())
+
+
+def _turn_columns(across: Array, system: LegSystem) -> Array:
+    """Bounds of the angular parts of K N."""
+    joints = np.abs(across[:-1]).sum(axis=0)
+    return np.asarray(joints + system.rate * np.abs(across[-1]))
 
 
 def beside(direction: Array) -> Array:
