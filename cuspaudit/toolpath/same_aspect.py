@@ -125,7 +125,7 @@ def _completed(arm: TracedArm, balls: list[arb]) -> list[arb]:
 
 def _sign(arm: TracedArm, values: Sequence[arb]) -> int | None:
     """The sign of det J near the values, the doubles next to them included."""
-    value = _determinant(arm, [v + arb(0, _ROUNDED) for v in values])
+    value = _determinant(arm, [v + arb(0, _ROUNDED) * (1 + abs(v)) for v in values])
     return 1 if value > 0 else -1 if value < 0 else None
 
 
@@ -204,9 +204,15 @@ def _is_proved(arm: TracedArm, path: Array, sign: int) -> bool:
     return True
 
 
+def _hull(x: float, y: float) -> arb:
+    """A ball of all values between two doubles, and of what rounds to them."""
+    rounded = _ROUNDED * (1 + abs(x) + abs(y))
+    return arb((x + y) / 2, abs(y - x) / 2 + rounded)
+
+
 def _keeps(arm: TracedArm, a: Array, b: Array, sign: int, depth: int) -> bool:
     """Whether det J has the sign on the segment from a to b, by halving boxes."""
-    box = [arb((x + y) / 2, abs(y - x) / 2 + 1e-12) for x, y in zip(a, b, strict=True)]
+    box = [_hull(float(x), float(y)) for x, y in zip(a, b, strict=True)]
     value = _determinant(arm, box) * sign
     if value > 0:
         return True
