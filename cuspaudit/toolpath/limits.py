@@ -2,7 +2,7 @@
 
 Limits are open intervals, taken 1e-9 shorter at each end: a joint that stands at its
 limit to so much has no room, and files write 2 pi with a dozen digits. What balls do
-not tell from such an end, within 1e-11 of it, begins outside. A joint value
+not tell from such an end, within 1e-10 of it, begins outside. A joint value
 that differs by whole turns is the same posture in another winding; a joint whose range
 is longer than a turn has several inside.
 

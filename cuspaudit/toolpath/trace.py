@@ -242,7 +242,7 @@ def _starts(
 
 
 def _apart(arm: TracedArm, a: Sequence[float], b: Sequence[float]) -> bool:
-    """Whether two postures, known to 1e-11, are not the same up to whole turns."""
+    """Whether two postures, known to 1e-10, are not the same up to whole turns."""
     gap = np.array(a) - np.array(b)
     turns = np.where(arm.turning[: arm.joints], np.round(gap / (2 * np.pi)), 0.0)
     return bool(

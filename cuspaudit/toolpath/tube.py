@@ -77,7 +77,7 @@ Array = NDArray[np.float64]
 
 _BEYOND = 1.0 / 64
 _THINNEST = 2e-11
-_KNOT = 1e-12
+_KNOTS = 1e-12, 1e-11
 _CONTRACTS = 0.9
 _TRIES = 4
 _UP = 1 + 1e-12
@@ -176,21 +176,29 @@ def knot_at(system: LegSystem, at: Array, across: Array) -> Knot | None:
     Y = inverse(here.slope @ across)
     if Y is None or not here.sound or system.size > _MOST_JOINTS:
         return None
-    reach = np.abs(across).sum(axis=1) * _KNOT
-    moved, rows = here.length(reach) * _UP, _rows(Y, here)
+    for size in _KNOTS:
+        reach = np.abs(across).sum(axis=1) * size * _UP
+        if _has_zero(here, Y, across, reach, size):
+            return Knot(at, reach)
+    return None
+
+
+def _has_zero(
+    here: Expansion, Y: Array, across: Array, reach: Array, size: float
+) -> bool:
+    """Whether Krawczyk's test succeeds for |z_k| <= size, a box of this reach."""
+    system, moved, rows = here.system, here.length(reach) * _UP, _rows(Y, here)
     left = np.abs(np.eye(len(Y)) - Y @ (here.slope @ across))
     left += _noise(Y, rows, here)[:, None]
     left += np.outer(rows * moved, np.abs(across).sum(axis=0))
     if system.has_pose or system.signs is not None:
         off = _off(here)
         if not off < _MOST_OFF:
-            return None
+            return False
         turn = np.sqrt((Y[:, 3:] ** 2).sum(axis=1))
         left += np.outer(turn * (off + moved), _turn_columns(across, system))
     own = np.abs(Y) @ (np.abs(here.value) + here.value_error)
-    if not ((own + left.sum(axis=1) * _KNOT) * _UP < _KNOT).all():
-        return None
-    return Knot(at, reach * _UP)
+    return bool(((own + left.sum(axis=1) * size) * _UP < size).all())
 
 
 @dataclass(frozen=True, slots=True, eq=False)
