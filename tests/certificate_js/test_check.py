@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import random
 import re
+import subprocess
 from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
@@ -26,7 +27,7 @@ from certified_arms import (
     sliding,
     with_offset,
 )
-from second_checker import FOLDER, needs_node, second_answers
+from second_checker import FOLDER, NODE, needs_node, second_answers
 from structured_arms import some_pairs, some_structures
 
 from cuspaudit.certificate import (
@@ -157,6 +158,18 @@ def test_a_file_that_is_not_there_is_refused(tmp_path: Path) -> None:
     """No crash, and no answer but no."""
     missing = tmp_path / "nowhere.json"
     assert not second_answers([missing])[missing].accepted
+
+
+def test_no_file_is_no_proof() -> None:
+    """A run that no certificate is given to does not end like one that accepts all."""
+    assert NODE is not None
+    command = [NODE, str(FOLDER / "run.mjs")]
+    run = subprocess.run(
+        command, capture_output=True, text=True, timeout=60, check=False
+    )
+    assert run.returncode == 2
+    assert not run.stdout
+    assert "no certificate is named" in run.stderr
 
 
 # --- one digit changed
