@@ -308,7 +308,7 @@ def unforeseen(error: BaseException) -> str:
     >>> try:
     ...     [][0]
     ... except IndexError as error:
-    ...     print(unforeseen(error).partition(" (")[0])
+    ...     print(unforeseen(error).partition(";")[0])
     an error nobody foresaw: IndexError: list index out of range
     """
     root = Path(__file__).parent

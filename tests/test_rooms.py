@@ -125,3 +125,9 @@ def test_tests_stand_where_their_rooms_do() -> None:
     mirrored = [f for f in folders if f.parts and f.parts[0] not in others]
     assert len(mirrored) > 20
     assert [str(f) for f in mirrored if not (ROOT / f).is_dir()] == []
+
+
+def test_no_two_test_files_have_one_name() -> None:
+    """Tests are collected by base name: of two alike one would not be run."""
+    names = [path.name for path in Path(__file__).parent.rglob("test_*.py")]
+    assert sorted(names) == sorted(set(names))

@@ -14,7 +14,7 @@ __all__ = ["IndexSet"]
 class IndexSet:
     """Whole numbers, held as the ends of their runs.
 
-    >>> some = Runs()
+    >>> some = IndexSet()
     >>> some.update([3, 1, 2, 7])
     >>> [k for k in range(9) if k in some], len(some)
     ([1, 2, 3, 7], 4)

@@ -136,7 +136,8 @@ def test_interrupt_keeps_the_rows(
             break
     _, err = process.communicate(timeout=20)
     assert process.returncode == 130
-    assert err == "cuspaudit: interrupted; the rows so far are kept\n"
+    kept = "what was finished is kept, and no file is half written"
+    assert err == f"cuspaudit: interrupted; {kept}\n"
     from cuspaudit.family.store import read_rows
 
     assert len(read_rows(out)) > 0
