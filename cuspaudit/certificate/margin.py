@@ -1,11 +1,11 @@
 """How far a witness path stays from singular postures: a proved bound, in joint angle.
 
-**Bound.** Cut the path into straight pieces, each with centre c and half length h, and
-let T > 0. Let G >= |grad det J| on the box of postures whose joints differ from those
-of the piece by at most T. If q lies within T of a point p of the piece, the segment
-from c to q stays in that box, and |q - c| <= T + h, so
+**Bound.** Cut the path into straight pieces c + t d, -1 <= t <= 1, and let T > 0. Let
+G >= |grad det J| on the box of postures whose joints differ from those of the piece by
+at most T, and D >= |d . grad det J| on the piece. If q lies within T of a point p of
+the piece, the segment from p to q stays in that box, so
 
-    |det J(q)| >= |det J(c)| - G (T + h).
+    |det J(q)| >= |det J(p)| - G T,    |det J(p)| >= |det J(c)| - D.
 
 When this is positive for every piece of a cover of the path, no posture within T of the
 path is singular. Joints on which det J does not depend (the first, the last, a virtual
@@ -14,7 +14,7 @@ smaller, so what is proved with it holds with all.
 
 det J and its partial derivatives are enclosed in ball arithmetic, the derivatives by
 power series in one joint at a time over the whole box. T is guessed from points of
-the path, where h = 0, and lowered until a cover is found. A comparison of balls is true
+the path, where d = 0, and lowered until a cover is found. A comparison of balls is true
 only when it is proved.
 """
 
@@ -122,18 +122,31 @@ class _Tube:
         """Whether the bound proves all within ``width`` of the piece from a to b."""
         ends = list(zip(a, b, strict=True))
         centre = [ball_from_fraction((x + y) / 2) for x, y in ends]
-        halves = [ball_from_fraction(abs(y - x) / 2) for x, y in ends]
+        halves = [ball_from_fraction((y - x) / 2) for x, y in ends]
         reach = ball_from_fraction(width)
+        lowest = self._height(centre, halves if a != b else [])
+        if not lowest > 0:
+            return False
         box = [
-            x + arb(0, (half + reach).upper())
+            x + arb(0, (abs(half) + reach).upper())
             for x, half in zip(centre, halves, strict=True)
         ]
-        value = jacobian_determinant(self._arm, [arb_series([x]) for x in centre])
-        height = arb(0) if value is None else abs(value[0]).lower()
-        half = _norm([halves[k] for k in self._joints])
         slopes = (self._partial(box, k) for k in self._joints)
         slope = _norm([value for value in slopes if value is not None])
-        return bool(height > slope * (reach + half))
+        return bool(lowest > slope * reach)
+
+    def _height(self, centre: Sequence[arb], halves: Sequence[arb]) -> arb:
+        """A lower bound of |det J| at a point, or on the piece with these halves."""
+        value = jacobian_determinant(self._arm, [arb_series([x]) for x in centre])
+        height = arb(0) if value is None else abs(value[0]).lower()
+        if not halves:
+            return height
+        piece = [
+            arb_series([x + arb(0, abs(half).upper()), half])
+            for x, half in zip(centre, halves, strict=True)
+        ]
+        value = jacobian_determinant(self._arm, piece)
+        return height - (arb(0) if value is None else abs(value[1]).upper())
 
     def _partial(self, box: Sequence[arb], joint: int) -> arb | None:
         """The derivative of det J by one joint over a box; None if it is exactly 0."""

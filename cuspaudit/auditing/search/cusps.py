@@ -178,7 +178,7 @@ class TaskMap:
         n = np.stack(axes, 1)
         arm = tip[:, None] - np.stack(origins, 1)
         turns = self.turns[None, :, None]
-        v = np.where(turns, np.cross(n, arm) / self.size, n)
+        v = np.where(turns, _cross(n, arm) / self.size, n)
         return np.where(turns, n, 0.0), v
 
     def _motion(self, k: int, value: Array) -> Array:
@@ -206,40 +206,32 @@ class TaskMap:
         return f, self._bracket(w, v, u, k, is_pose), u, k, values[:, -2]
 
     def _bracket(self, w: Array, v: Array, u: Array, k: Array, is_pose: bool) -> Array:
-        """U . (D_k J) k."""
-        total = np.zeros(len(u))
-        count = w.shape[1]
-        for i in range(count):
-            for j in range(i, count):
-                weight = k[:, i] * k[:, j] * (1 if i == j else 2)
-                bent = np.cross(w[:, i], v[:, j])
-                total += weight * np.einsum("mi,mi->m", u[:, :3], bent)
-                if is_pose and i < j:
-                    bent = np.cross(w[:, i], w[:, j])
-                    part = np.einsum("mi,mi->m", u[:, 3:], bent)
-                    total += k[:, i] * k[:, j] * part
+        """U . (D_k J) k, from the sums of the screws k_i (w_i, v_i) up to a joint."""
+        turning, going = k[..., None] * w, k[..., None] * v
+        before = np.cumsum(turning, 1) - turning
+        bent = _cross(2 * before + turning, going).sum(1)
+        total = np.asarray((u[:, :3] * bent).sum(1))
+        if is_pose:
+            total += (u[:, 3:] * _cross(before, turning).sum(1)).sum(1)
         return total
 
     def conditions(self, q: Array) -> tuple[Array, Array]:
-        """(f, g) at many postures, (m, 2), with u."""
-        f, g, u, _, _ = self.decomposed(q)
-        return np.stack([f, g], 1), u
+        """(f, g) at many postures (..., n): (..., 2), with u."""
+        f, g, u, _, _ = self.decomposed(q.reshape(-1, q.shape[-1]))
+        shape = q.shape[:-1]
+        return np.stack([f, g], 1).reshape(*shape, 2), u.reshape(*shape, -1)
 
     def slopes(self, q: Array) -> tuple[Array, Array]:
         """(f, g) and their derivatives by the moving joints, (m, 2, p)."""
-        here, u = self.conditions(q)
-        columns = []
-        for joint in self.moving:
-            sides = []
-            for sign in (1, -1):
-                moved = q.copy()
-                moved[:, joint] += sign * _DIFFERENCE
-                value, other_u = self.conditions(moved)
-                # g changes sign with u; k enters twice
-                value[:, 1] *= np.sign(np.einsum("mi,mi->m", u, other_u))
-                sides.append(value)
-            columns.append((sides[0] - sides[1]) / (2 * _DIFFERENCE))
-        return here, np.stack(columns, 2)
+        moved = _DIFFERENCE * np.eye(q.shape[1])[self.moving]
+        sides = np.stack([q + e for e in (*moved, *-moved)])
+        values, others = self.conditions(np.concatenate([q[None], sides]))
+        here, u, around = values[0], others[0], values[1:]
+        # g changes sign with u; k enters twice
+        around[..., 1] *= np.sign((u * others[1:]).sum(-1))
+        count = len(moved)
+        slope = (around[:count] - around[count:]) / (2 * _DIFFERENCE)
+        return here, np.moveaxis(slope, 0, 2)
 
     def step(self, q: Array) -> Array:
         """A Newton step, the shortest, no longer than a stride."""
@@ -257,3 +249,9 @@ class TaskMap:
         *_, k, second = self.decomposed(q)
         along = np.einsum("mp,mp->m", slope[:, 1], k[:, self.moving])
         return np.asarray(np.abs(along) * second * np.linalg.norm(slope[:, 0], axis=1))
+
+
+def _cross(a: Array, b: Array) -> Array:
+    """The vector products of (..., 3) vectors, faster than ``numpy.cross``."""
+    (a0, a1, a2), (b0, b1, b2) = np.moveaxis(a, -1, 0), np.moveaxis(b, -1, 0)
+    return np.stack([a1 * b2 - a2 * b1, a2 * b0 - a0 * b2, a0 * b1 - a1 * b0], -1)

@@ -27,6 +27,7 @@ _DIGITS = 12
 _NEWTON = 25
 _STARTS = 12
 _REACHED = 1e-9
+_SETTLED = 1e-13
 _TURNS = (0.0, *(k * math.pi / 6 for k in range(1, 12)))
 
 
@@ -95,14 +96,16 @@ def close(chain: Chain, path: Array) -> Array:
     target = frames(chain, path[0])[-1]
     posture = path[-1].copy()
     best, smallest = posture, math.inf
+    scale = 1.0 + float(np.abs(target[:3, 3]).max())
     for _ in range(_NEWTON):
         error = _pose_error(chain, posture, target)
         size = float(np.abs(error).max())
+        if size >= smallest and smallest < _SETTLED * scale:
+            break
         if size < smallest:
             best, smallest = posture.copy(), size
         step = np.linalg.lstsq(jacobian(chain, posture), error, rcond=None)[0]
         posture = posture + step
-    scale = 1.0 + float(np.abs(target[:3, 3]).max())
     if not smallest < _REACHED * scale:
         raise RetryableError("the second posture does not reach the pose of the first")
     return np.vstack([path[:-1], best])
