@@ -1,25 +1,29 @@
 """How far a witness path stays from singular postures: a proved bound, in joint angle.
 
-**Bound.** Cut the path into straight pieces c + t d, -1 <= t <= 1, and let T > 0. Let
-G >= |grad det J| on the box of postures whose joints differ from those of the piece by
-at most T, and D >= |d . grad det J| on the piece. If q lies within T of a point p of
-the piece, the segment from p to q stays in that box, so
+**Bound.** Cut the path into straight pieces and let T > 0. Let m <= |det J| on a piece
+and G >= |grad det J| on the box of postures whose joints differ from those of the piece
+by at most T. If q lies within T of a point p of the piece, the segment from p to q
+stays in that box, so
 
-    |det J(q)| >= |det J(p)| - G T,    |det J(p)| >= |det J(c)| - D.
+    |det J(q)| >= |det J(p)| - G T >= m - G T.
 
 When this is positive for every piece of a cover of the path, no posture within T of the
-path is singular. Joints on which det J does not depend (the first, the last, a virtual
-one) are left out of boxes, lengths and distances: a distance over fewer joints is
-smaller, so what is proved with it holds with all.
+path is singular. With the centre c of a piece and c + h, c - h its ends, m is
+|det J(c)| less the largest |D det J . h| on the piece. Joints on which det J does not
+depend (the first, the last, a virtual one) are left out of boxes, lengths and
+distances: a distance over fewer joints is smaller, so what is proved with it holds with
+all.
 
 det J and its partial derivatives are enclosed in ball arithmetic, the derivatives by
 power series in one joint at a time over the whole box. T is guessed from points of
-the path, where d = 0, and lowered until a cover is found. A comparison of balls is true
+the path: G of a width is a G of every smaller width, so that m / G is allowed where it
+is smaller; and it is lowered until a cover is found. A comparison of balls is true
 only when it is proved.
 """
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from fractions import Fraction
 from itertools import pairwise
@@ -37,7 +41,8 @@ _BITS = 64
 _SAMPLES = 9
 """Points of each segment from which the margin is guessed."""
 _WIDEST = Fraction(1, 2)
-_HALVINGS = 7
+_ROUNDS = 3
+"""How often a width at a point is refined."""
 _TRIES = 12
 _MOST_PIECES = 1500
 
@@ -106,47 +111,51 @@ class _Tube:
         return True
 
     def _allowed(self, point: Point, widest: Fraction) -> Fraction:
-        """The largest width up to ``widest`` that is proved about a point, roughly."""
-        if self._is_regular_about(point, point, widest):
-            return widest
+        """A large width up to ``widest`` that the bound allows about a point."""
         low, high = Fraction(0), widest
-        for _ in range(_HALVINGS):
-            middle = (low + high) / 2
-            if self._is_regular_about(point, point, middle):
-                low = middle
-            else:
-                high = middle
+        for _ in range(_ROUNDS):
+            height, slope = self._height_and_slope(point, point, high)
+            if height > slope * ball_from_fraction(high):
+                return high
+            allowed = float((height / slope).mid())
+            if math.isfinite(allowed):  # else det J is not bounded so far about it
+                low = max(low, Fraction(allowed))
+            high = (low + high) / 2
         return low
 
     def _is_regular_about(self, a: Point, b: Point, width: Fraction) -> bool:
         """Whether the bound proves all within ``width`` of the piece from a to b."""
+        height, slope = self._height_and_slope(a, b, width)
+        return bool(height > slope * ball_from_fraction(width))
+
+    def _height_and_slope(self, a: Point, b: Point, width: Fraction) -> tuple[arb, arb]:
+        """m of the piece from a to b and G within ``width`` of it."""
         ends = list(zip(a, b, strict=True))
         centre = [ball_from_fraction((x + y) / 2) for x, y in ends]
         halves = [ball_from_fraction((y - x) / 2) for x, y in ends]
         reach = ball_from_fraction(width)
-        lowest = self._height(centre, halves if a != b else [])
-        if not lowest > 0:
-            return False
         box = [
             x + arb(0, (abs(half) + reach).upper())
             for x, half in zip(centre, halves, strict=True)
         ]
         slopes = (self._partial(box, k) for k in self._joints)
         slope = _norm([value for value in slopes if value is not None])
-        return bool(lowest > slope * reach)
+        return self._least(centre, halves), slope
 
-    def _height(self, centre: Sequence[arb], halves: Sequence[arb]) -> arb:
-        """A lower bound of |det J| at a point, or on the piece with these halves."""
+    def _least(self, centre: Sequence[arb], halves: Sequence[arb]) -> arb:
+        """A lower bound of |det J| on a piece, from its centre and its half."""
         value = jacobian_determinant(self._arm, [arb_series([x]) for x in centre])
-        height = arb(0) if value is None else abs(value[0]).lower()
-        if not halves:
-            return height
+        if value is None:
+            return arb(0)
+        least = abs(value[0]).lower()
+        if not any(halves):
+            return least
         piece = [
             arb_series([x + arb(0, abs(half).upper()), half])
             for x, half in zip(centre, halves, strict=True)
         ]
-        value = jacobian_determinant(self._arm, piece)
-        return height - (arb(0) if value is None else abs(value[1]).upper())
+        along = jacobian_determinant(self._arm, piece)
+        return least if along is None else (least - abs(along[1])).lower()
 
     def _partial(self, box: Sequence[arb], joint: int) -> arb | None:
         """The derivative of det J by one joint over a box; None if it is exactly 0."""
