@@ -4,14 +4,16 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from cuspaudit.algebra.angles import shortest_turn
-from cuspaudit.algebra.parametrization import RealPoint
 from cuspaudit.algebra.ring import Rational
 from cuspaudit.kinematics.exact_model import ExactModel
+
+if TYPE_CHECKING:
+    from cuspaudit.algebra.parametrization import RealPoint
 
 __all__ = ["Crowd", "Label", "PairMaximum", "PairRecord", "SearchRecord"]
 

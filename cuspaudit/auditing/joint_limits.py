@@ -7,14 +7,18 @@ and count as none; reversed ones were refused when the robot was read.
 from __future__ import annotations
 
 from fractions import Fraction
+from typing import TYPE_CHECKING
 
 from cuspaudit.algebra.ring import rational
-from cuspaudit.auditing.search.cusps import Interval
 from cuspaudit.certificate import Limits
 from cuspaudit.kinematics.exact_model import ExactJoint, ExactModel
 from cuspaudit.robot.chain import Angle, Chain, Joint
 from cuspaudit.robot.frames import angle_value
-from cuspaudit.surface.box_edges import Limit, Range
+from cuspaudit.surface.box_edges import Limit
+
+if TYPE_CHECKING:
+    from cuspaudit.auditing.search.cusps import Interval
+    from cuspaudit.surface.box_edges import Range
 
 __all__ = ["has_limits", "interval_of", "ranges_of", "rational_limits", "width_of"]
 

@@ -8,12 +8,7 @@ from dataclasses import asdict, dataclass
 from typing import TYPE_CHECKING, Any
 
 from cuspaudit.auditing.answer import Answer
-from cuspaudit.auditing.as_written import AsWritten
 from cuspaudit.auditing.carried import is_carried
-from cuspaudit.auditing.crosscheck.compare import CrossCheck
-from cuspaudit.auditing.cusp_witness import CuspWitness
-from cuspaudit.auditing.structures import Structure
-from cuspaudit.auditing.witness import Witness
 from cuspaudit.count import Count
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.kinematics.determinant import jacobian_determinant
@@ -26,7 +21,12 @@ from cuspaudit.robot.virtual_joint import with_virtual_joint
 from cuspaudit.runtime.versions import versions
 
 if TYPE_CHECKING:
+    from cuspaudit.auditing.as_written import AsWritten
+    from cuspaudit.auditing.crosscheck.compare import CrossCheck
+    from cuspaudit.auditing.cusp_witness import CuspWitness
+    from cuspaudit.auditing.structures import Structure
     from cuspaudit.auditing.within_limits import WithinLimits
+    from cuspaudit.auditing.witness import Witness
 
 __all__ = ["PACKAGES", "SCHEMA", "Audit"]
 

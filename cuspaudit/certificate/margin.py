@@ -44,7 +44,7 @@ _WIDEST = Fraction(1, 2)
 _ROUNDS = 3
 """How often a width at a point is refined."""
 _TRIES = 12
-_MOST_PIECES = 1500
+_MOST_PIECES = 600
 
 Point = tuple[Fraction, ...]
 
@@ -103,9 +103,7 @@ class _Tube:
             if self._is_regular_about(a, b, width):
                 continue
             middle = tuple((x + y) / 2 for x, y in zip(a, b, strict=True))
-            if seen >= _MOST_PIECES or not self._is_regular_about(
-                middle, middle, width
-            ):
+            if seen >= _MOST_PIECES:
                 return False
             waiting += [(a, middle), (middle, b)]
         return True
@@ -129,7 +127,7 @@ class _Tube:
         return bool(height > slope * ball_from_fraction(width))
 
     def _height_and_slope(self, a: Point, b: Point, width: Fraction) -> tuple[arb, arb]:
-        """m of the piece from a to b and G within ``width`` of it."""
+        """The m of the piece from a to b, and G within ``width`` of it."""
         ends = list(zip(a, b, strict=True))
         centre = [ball_from_fraction((x + y) / 2) for x, y in ends]
         halves = [ball_from_fraction((y - x) / 2) for x, y in ends]
