@@ -14,11 +14,10 @@ from cuspaudit.certificate import Limits
 from cuspaudit.kinematics.exact_model import ExactJoint, ExactModel
 from cuspaudit.robot.chain import Angle, Chain, Joint
 from cuspaudit.robot.frames import angle_value
-from cuspaudit.surface.box_edges import Limit
+from cuspaudit.surface.box_edges import Limit, Range
 
 if TYPE_CHECKING:
     from cuspaudit.auditing.search.cusps import Interval
-    from cuspaudit.surface.box_edges import Range
 
 __all__ = ["has_limits", "interval_of", "ranges_of", "rational_limits", "width_of"]
 
