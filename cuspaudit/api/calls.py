@@ -37,6 +37,7 @@ def load(
     angle_unit: str | None = None,
     length_unit: str | None = None,
     packages: Mapping[str, str] | None = None,
+    xacro_args: Mapping[str, str] | None = None,
 ) -> Robot:
     """The robot in a file, or of a name in the library.
 
@@ -53,6 +54,7 @@ def load(
         angle_unit: ``rad`` or ``deg``, of bare angles in a table that does not say.
         length_unit: ``m`` or ``mm``, of a table that does not say.
         packages: name to folder, for ``$(find NAME)`` in a xacro file.
+        xacro_args: name to text, for ``$(arg NAME)`` in a xacro file.
 
     Raises:
         InvalidRobotError: no such robot, or it cannot be read, or its joints do not
@@ -71,6 +73,7 @@ def load(
         angle_unit=angle_unit,
         length_unit=length_unit,
         packages=packages,
+        xacro_args=xacro_args,
     )
 
 

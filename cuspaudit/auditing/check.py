@@ -6,6 +6,7 @@ import signal
 from collections.abc import Iterable, Iterator, Mapping
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import asdict, dataclass, field
+from functools import partial
 from multiprocessing import active_children
 from pathlib import Path
 from typing import Any, Literal
@@ -14,7 +15,7 @@ from xml.etree import ElementTree
 from cuspaudit.auditing.audit import audit
 from cuspaudit.errors import CuspauditError, InvalidInputError, unforeseen
 from cuspaudit.robot.formats.registry import recorded_endings
-from cuspaudit.robot.library import open_robot
+from cuspaudit.robot.library import open_robot, uses
 from cuspaudit.robot.robot import WITHIN
 from cuspaudit.runtime.interruption import end_processes
 
@@ -80,15 +81,28 @@ def robot_files(paths: Iterable[Path]) -> list[Path]:
     return files
 
 
-def check_robots(files: list[Path], workers: int = 1) -> Iterator[Checked]:
-    """Check every file, in order; with several workers, in parallel."""
+def check_robots(
+    files: list[Path],
+    workers: int = 1,
+    packages: Mapping[str, str] | None = None,
+    xacro_args: Mapping[str, str] | None = None,
+) -> Iterator[Checked]:
+    """Check every file, in order; with several workers, in parallel.
+
+    Args:
+        files: of robots.
+        workers: processes.
+        packages: name to folder, for those that are xacro files.
+        xacro_args: name to text, for those that are xacro files.
+    """
+    one = partial(check_robot, packages=packages, xacro_args=xacro_args)
     if workers <= 1 or len(files) <= 1:
-        yield from map(check_robot, files)
+        yield from map(one, files)
         return
     others = active_children()
     with ProcessPoolExecutor(min(workers, len(files)), initializer=_quiet) as pool:
         try:
-            for future in [pool.submit(check_robot, file) for file in files]:
+            for future in [pool.submit(one, file) for file in files]:
                 yield future.result()
         except BaseException:
             end_processes(others)
@@ -100,10 +114,17 @@ def _quiet() -> None:
     signal.signal(signal.SIGINT, signal.SIG_IGN)
 
 
-def check_robot(file: Path) -> Checked:
+def check_robot(
+    file: Path,
+    packages: Mapping[str, str] | None = None,
+    xacro_args: Mapping[str, str] | None = None,
+) -> Checked:
     """Audit one file and compare what it expects."""
     try:
-        robot = open_robot(file)
+        if uses(file, "packages"):
+            robot = open_robot(file, packages=packages, xacro_args=xacro_args)
+        else:
+            robot = open_robot(file)
         result = audit(robot)
     except CuspauditError as error:
         return Checked(str(file), "error", str(error), 0.0)

@@ -11,7 +11,7 @@ import typer
 from cuspaudit.cli.chains import audit_chains, check_alone
 from cuspaudit.cli.exit_codes import OF_VERDICT
 from cuspaudit.cli.mechanisms import audit_mechanism, mechanism_named, no_arm
-from cuspaudit.cli.opening import open_named
+from cuspaudit.cli.opening import open_named, package_folders, xacro_arguments
 from cuspaudit.cli.options import (
     AngleUnit,
     Base,
@@ -27,6 +27,7 @@ from cuspaudit.cli.options import (
     TaskName,
     Timeout,
     Tip,
+    XacroArguments,
 )
 from cuspaudit.cli.running import run_audit
 from cuspaudit.cli.summary import print_summary
@@ -44,6 +45,7 @@ def audit(
     angle_unit: AngleUnit = None,
     length_unit: LengthUnit = None,
     package: PackageFolder = None,
+    xacro_arg: XacroArguments = None,
     json_file: Annotated[
         str | None,
         typer.Option("--json", metavar="FILE", help="Write the audit; - is stdout."),
@@ -95,22 +97,30 @@ def audit(
     mechanism = mechanism_named(robot)
     if mechanism is not None:
         no_arm(
+            "audit",
             {"--base": base, "--tip": tip, "--task": task, "--lock": lock}
-            | {"--certificate": certificate, "--all": every}
+            | {"--convention": convention, "--angle-unit": angle_unit}
+            | {"--length-unit": length_unit, "--package": package}
+            | {"--xacro-arg": xacro_arg, "--certificate": certificate, "--all": every},
         )
         audit_mechanism(mechanism, json_file, html, seed, timeout, exit_zero)
     if every:
         check_alone(
             {"--tip": tip, "--task": task, "--lock": lock}
+            | {"--convention": convention, "--angle-unit": angle_unit}
+            | {"--length-unit": length_unit}
             | {"--html": html, "--certificate": certificate}
         )
         audit_chains(
-            *(robot, base, package, json_file, engine.value, snap, seed, timeout)
+            *(robot, base, json_file, engine.value, snap, seed, timeout),
+            packages=package_folders(package),
+            xacro_args=xacro_arguments(xacro_arg),
         )
         return
     opened = open_named(
         *(robot, base, tip, task, lock, convention, angle_unit, length_unit),
         packages=package,
+        xacro_args=xacro_arg,
     )
     result = run_audit(opened, seed, timeout, snap, engine.value)
     proof = certificate_text(result, within)

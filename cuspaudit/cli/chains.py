@@ -9,7 +9,6 @@ from typing import Any
 
 import typer
 
-from cuspaudit.cli.opening import package_folders
 from cuspaudit.errors import CuspauditError, InvalidInputError
 
 __all__ = ["audit_chains", "check_alone", "print_chains"]
@@ -40,24 +39,27 @@ def check_alone(options: Mapping[str, object]) -> None:
 def audit_chains(
     robot: str,
     base: str | None,
-    package: list[str] | None,
     json_file: str | None,
     engine: str,
     snap: str,
     seed: int,
     timeout: float | None,
+    *,
+    packages: Mapping[str, str],
+    xacro_args: Mapping[str, str],
 ) -> None:
     """Audit every arm-like chain, a line each; the others are named.
 
     Args:
         robot: a file, or a name of the library.
         base: a link of the tree.
-        package: entries NAME=DIR, for a xacro file.
         json_file: where to write the audits, "-" for standard output, or None.
         engine: as in `audit`.
         snap: as in `audit`.
         seed: as in `audit`.
         timeout: of each audit, in seconds.
+        packages: name to folder, for a xacro file.
+        xacro_args: name to text, for a xacro file.
 
     Raises:
         InvalidInputError: the robot cannot be read.
@@ -68,8 +70,7 @@ def audit_chains(
 
     records: list[dict[str, Any]] = []
     quiet = json_file == "-"
-    packages = package_folders(package)
-    for chain in serial_chains(robot, base, packages):
+    for chain in serial_chains(robot, base, packages, xacro_args):
         record = {**chain.record(), "verdict": None, "audit": None, "error": None}
         records.append(record)
         if chain.is_arm:
@@ -81,6 +82,7 @@ def audit_chains(
                     task=chain.task,
                     lock=dict.fromkeys(chain.locked, "0"),
                     packages=packages,
+                    xacro_args=xacro_args,
                 )
                 result = run_audit(opened, seed, timeout, snap, engine)
                 found = result.record(None)

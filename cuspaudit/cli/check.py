@@ -9,6 +9,8 @@ from typing import Annotated
 import typer
 
 from cuspaudit.cli.exit_codes import UNFORESEEN
+from cuspaudit.cli.opening import package_folders, xacro_arguments
+from cuspaudit.cli.options import PackageFolder, XacroArguments
 
 __all__ = ["check"]
 
@@ -17,6 +19,8 @@ def check(
     paths: Annotated[
         list[Path], typer.Argument(metavar="DIR|FILE...", help="Robot files.")
     ],
+    package: PackageFolder = None,
+    xacro_arg: XacroArguments = None,
     junit_file: Annotated[
         Path | None, typer.Option("--junit", help="Write the results as JUnit XML.")
     ] = None,
@@ -47,7 +51,8 @@ def check(
     if junit_file:
         check_writable(junit_file)
     results = []
-    for result in check_robots(robot_files(paths), workers):
+    given = package_folders(package), xacro_arguments(xacro_arg)
+    for result in check_robots(robot_files(paths), workers, *given):
         results.append(result)
         typer.echo(f"{result.status:14} {result.file}: {result.detail}")
         if annotations and (

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from cuspaudit.cli.chains import print_chains
-from cuspaudit.cli.opening import open_named, package_folders
+from cuspaudit.cli.opening import open_named, package_folders, xacro_arguments
 from cuspaudit.cli.options import (
     AngleUnit,
     Base,
@@ -22,6 +22,7 @@ from cuspaudit.cli.options import (
     Snap,
     TaskName,
     Tip,
+    XacroArguments,
 )
 from cuspaudit.cli.summary import print_import
 from cuspaudit.errors import InvalidInputError
@@ -52,6 +53,7 @@ def import_(
     angle_unit: AngleUnit = None,
     length_unit: LengthUnit = None,
     package: PackageFolder = None,
+    xacro_arg: XacroArguments = None,
     to: Annotated[
         Form | None,
         typer.Option(
@@ -84,7 +86,10 @@ def import_(
     from cuspaudit.robot.library import serial_chains
     from cuspaudit.robot.snap_policy import policy_from_name
 
-    chains = [] if tip or to else serial_chains(robot, base, package_folders(package))
+    chains = []
+    if not (tip or to):
+        given = package_folders(package), xacro_arguments(xacro_arg)
+        chains = serial_chains(robot, base, *given)
     if len(chains) > 1:
         records = [chain.record() for chain in chains]
         typer.echo(json.dumps(records, indent=1)) if as_json else print_chains(records)
@@ -100,6 +105,7 @@ def import_(
         angle_unit,
         length_unit,
         packages=package,
+        xacro_args=xacro_arg,
         square=square,
     )
     policy = policy_from_name(snap)

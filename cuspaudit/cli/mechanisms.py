@@ -43,8 +43,8 @@ def mechanism_named(name: str) -> SystemFile | None:
     return read_system(path) if is_mechanism(entries) else None
 
 
-def no_arm(options: Mapping[str, object]) -> None:
-    """Check that none of the options of a serial arm was given.
+def no_arm(command: str, options: Mapping[str, object]) -> None:
+    """Check that none of the options of a serial arm was given to ``command``.
 
     Raises:
         InvalidInputError: one was.
@@ -52,7 +52,7 @@ def no_arm(options: Mapping[str, object]) -> None:
     for name, value in options.items():
         if value:
             raise InvalidInputError(
-                file="audit",
+                file=command,
                 found=f"{name} with a parallel mechanism",
                 expected=f"leave out {name}: it is for serial arms",
             )

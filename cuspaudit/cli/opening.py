@@ -9,7 +9,7 @@ from cuspaudit.errors import InvalidInputError
 if TYPE_CHECKING:
     from cuspaudit.robot.robot import Robot
 
-__all__ = ["open_named", "package_folders"]
+__all__ = ["open_named", "package_folders", "xacro_arguments"]
 
 
 def open_named(
@@ -23,6 +23,7 @@ def open_named(
     length_unit: str | None,
     *,
     packages: list[str] | None = None,
+    xacro_args: list[str] | None = None,
     square: bool = True,
 ) -> Robot:
     """The robot a user named.
@@ -37,6 +38,7 @@ def open_named(
         angle_unit: unit of bare angles in a D-H table.
         length_unit: unit of lengths in a D-H table.
         packages: entries NAME=DIR, for a xacro file.
+        xacro_args: entries NAME=VALUE, for a xacro file.
         square: whether the task must fit the joints that are left.
 
     Raises:
@@ -49,11 +51,12 @@ def open_named(
         base=base,
         tip=tip,
         task=task,
-        lock=dict(_joint_and_value(entry) for entry in lock or []),
+        lock=_pairs(lock, "--lock", "JOINT=VALUE", "joint_3=pi/4"),
         convention=convention,
         angle_unit=angle_unit,
         length_unit=length_unit,
         packages=package_folders(packages),
+        xacro_args=xacro_arguments(xacro_args),
         square=square,
     )
 
@@ -64,25 +67,52 @@ def package_folders(entries: list[str] | None) -> dict[str, str]:
     Raises:
         InvalidInputError: an entry is none.
     """
-    found = {}
+    return _pairs(entries, "--package", "NAME=DIR", "my_description=./my_description")
+
+
+def xacro_arguments(entries: list[str] | None) -> dict[str, str]:
+    """Name to text of entries NAME=VALUE; the text may be empty.
+
+    Raises:
+        InvalidInputError: an entry is none.
+    """
+    return _pairs(entries, "--xacro-arg", "NAME=VALUE", "ur_type=ur5e", empty=True)
+
+
+def _pairs(
+    entries: list[str] | None,
+    option: str,
+    form: str,
+    example: str,
+    *,
+    empty: bool = False,
+) -> dict[str, str]:
+    """Both sides of each entry.
+
+    Args:
+        entries: as the option gives them.
+        option: its name.
+        form: of an entry.
+        example: of one.
+        empty: whether the right side may be empty.
+
+    Raises:
+        InvalidInputError: an entry has another form, or two have one left side.
+    """
+    found: dict[str, str] = {}
     for entry in entries or []:
-        name, equals, folder = entry.partition("=")
-        if not (name and equals and folder):
+        name, equals, value = entry.partition("=")
+        if not (name and equals and (value or empty)):
             raise InvalidInputError(
-                file=f"--package {entry}",
-                found="not NAME=DIR",
-                expected="write for example my_description=./my_description",
+                file=f"{option} {entry}",
+                found=f"not {form}",
+                expected=f"write for example {example}",
             )
-        found[name] = folder
+        if name in found:
+            raise InvalidInputError(
+                file=f"{option} {entry}",
+                found=f"{name} is given twice",
+                expected="give it once",
+            )
+        found[name] = value
     return found
-
-
-def _joint_and_value(entry: str) -> tuple[str, str]:
-    joint, equals, value = entry.partition("=")
-    if not (joint and equals and value):
-        raise InvalidInputError(
-            file=f"--lock {entry}",
-            found="not JOINT=VALUE",
-            expected="write for example joint_3=pi/4",
-        )
-    return joint, value

@@ -24,6 +24,7 @@ __all__ = [
     "TaskName",
     "Timeout",
     "Tip",
+    "XacroArguments",
 ]
 
 
@@ -87,6 +88,14 @@ PackageFolder = Annotated[
     typer.Option(
         metavar="NAME=DIR",
         help="Folder of a package that a xacro file finds by name; may be repeated.",
+    ),
+]
+XacroArguments = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--xacro-arg",
+        metavar="NAME=VALUE",
+        help="Argument that a xacro file asks for; may be repeated.",
     ),
 ]
 Snap = Annotated[

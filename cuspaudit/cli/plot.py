@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from cuspaudit.cli.families import Audits, Colour, Fix, Plane, X, Y, plot_family
-from cuspaudit.cli.mechanisms import mechanism_named, plot_mechanism
+from cuspaudit.cli.mechanisms import mechanism_named, no_arm, plot_mechanism
 from cuspaudit.cli.opening import open_named
 from cuspaudit.cli.options import (
     AngleUnit,
@@ -17,10 +17,12 @@ from cuspaudit.cli.options import (
     Convention,
     LengthUnit,
     Lock,
+    PackageFolder,
     RobotName,
     Snap,
     TaskName,
     Tip,
+    XacroArguments,
 )
 from cuspaudit.cli.running import STEPS, progress_bar
 from cuspaudit.errors import InvalidInputError
@@ -50,6 +52,8 @@ def plot(
     convention: Convention = None,
     angle_unit: AngleUnit = None,
     length_unit: LengthUnit = None,
+    package: PackageFolder = None,
+    xacro_arg: XacroArguments = None,
     snap: Snap = "default",
     at: At = None,
     x: X = None,
@@ -69,10 +73,19 @@ def plot(
         plane = Plane(x, y, colour, tuple(fix or ()))
         plot_family(Path(robot), output, plane, audits or [])
     elif (mechanism := mechanism_named(robot)) is not None:
+        no_arm(
+            "plot",
+            {"--base": base, "--tip": tip, "--task": task, "--lock": lock}
+            | {"--convention": convention, "--angle-unit": angle_unit}
+            | {"--length-unit": length_unit, "--package": package}
+            | {"--xacro-arg": xacro_arg},
+        )
         plot_mechanism(mechanism, output)
     else:
         opened = open_named(
-            robot, base, tip, task, lock, convention, angle_unit, length_unit
+            *(robot, base, tip, task, lock, convention, angle_unit, length_unit),
+            packages=package,
+            xacro_args=xacro_arg,
         )
         _plot_robot(opened, output, snap, at)
 

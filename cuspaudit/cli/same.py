@@ -15,11 +15,13 @@ from cuspaudit.cli.options import (
     Convention,
     LengthUnit,
     Lock,
+    PackageFolder,
     RobotName,
     Seed,
     Snap,
     TaskName,
     Tip,
+    XacroArguments,
 )
 
 __all__ = ["same"]
@@ -46,6 +48,8 @@ def same(
     convention: Convention = None,
     angle_unit: AngleUnit = None,
     length_unit: LengthUnit = None,
+    package: PackageFolder = None,
+    xacro_arg: XacroArguments = None,
     json_file: Annotated[
         str | None,
         typer.Option("--json", metavar="FILE", help="Write the answer; - is stdout."),
@@ -67,7 +71,9 @@ def same(
     if json_file not in (None, "-"):
         check_writable(Path(json_file or ""))
     opened = open_named(
-        robot, base, tip, task, lock, convention, angle_unit, length_unit
+        *(robot, base, tip, task, lock, convention, angle_unit, length_unit),
+        packages=package,
+        xacro_args=xacro_arg,
     )
     arm = traced_arm(snapped(opened.chain, policy_from_name(snap))[0])
     ends = [

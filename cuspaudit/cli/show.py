@@ -15,10 +15,12 @@ from cuspaudit.cli.options import (
     Convention,
     LengthUnit,
     Lock,
+    PackageFolder,
     Seed,
     Snap,
     TaskName,
     Tip,
+    XacroArguments,
 )
 from cuspaudit.cli.running import run_audit
 from cuspaudit.errors import InvalidInputError
@@ -40,6 +42,8 @@ def show(
     convention: Convention = None,
     angle_unit: AngleUnit = None,
     length_unit: LengthUnit = None,
+    package: PackageFolder = None,
+    xacro_arg: XacroArguments = None,
     html: Annotated[
         Path | None, typer.Option(help="Write one offline page instead of serving it.")
     ] = None,
@@ -67,7 +71,9 @@ def show(
         if known is None or known.chains is None:
             base = tip = None
     opened = open_named(
-        source, base, tip, task, lock, convention, angle_unit, length_unit
+        *(source, base, tip, task, lock, convention, angle_unit, length_unit),
+        packages=package,
+        xacro_args=xacro_arg,
     )
     result = run_audit(opened, seed, None, snap)
     page = page_text(result.record(), result, certificate_text(result))

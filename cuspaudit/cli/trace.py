@@ -17,11 +17,13 @@ from cuspaudit.cli.options import (
     Convention,
     LengthUnit,
     Lock,
+    PackageFolder,
     RobotName,
     Seed,
     Snap,
     TaskName,
     Tip,
+    XacroArguments,
 )
 from cuspaudit.cli.running import progress_bar
 
@@ -54,6 +56,8 @@ def trace(
     convention: Convention = None,
     angle_unit: AngleUnit = None,
     length_unit: LengthUnit = None,
+    package: PackageFolder = None,
+    xacro_arg: XacroArguments = None,
     closed: Annotated[
         bool, typer.Option("--closed", help="The path returns to its first waypoint.")
     ] = False,
@@ -84,6 +88,7 @@ def trace(
     Exit codes: 0 every start posture reaches the end, and a closed path repeats; 1 some
     do not, or the first pose has no posture; 3 undecided.
     """
+    from cuspaudit.robot.library import uses
     from cuspaudit.robot.snap_policy import policy_from_name
     from cuspaudit.robot.snapping import snap as snapped
     from cuspaudit.runtime.writing import check_writable, write_text
@@ -98,8 +103,11 @@ def trace(
         files.append(Path(json_file or ""))
     for file in files:
         check_writable(file)
+    table_unit = angle_unit if uses(robot, "angle_unit") else None
     opened = open_named(
-        robot, base, tip, task, lock, convention, angle_unit, length_unit
+        *(robot, base, tip, task, lock, convention, table_unit, length_unit),
+        packages=package,
+        xacro_args=xacro_arg,
     )
     arm = traced_arm(snapped(opened.chain, policy_from_name(snap))[0])
     tool_path = read_path(path, arm, angle_unit_named(angle_unit))

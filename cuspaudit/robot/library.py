@@ -20,7 +20,7 @@ import cuspaudit
 from cuspaudit.errors import InvalidRobotError
 from cuspaudit.robot.chain import Angle, Chain
 from cuspaudit.robot.descriptions import description_file, description_names
-from cuspaudit.robot.formats.read_robot import chains_in, read_robot
+from cuspaudit.robot.formats.read_robot import chains_in, read_robot, takes
 from cuspaudit.robot.formats.registry import endings
 from cuspaudit.robot.numbers import format_angle, format_rational
 from cuspaudit.robot.place import listing, quoted
@@ -39,6 +39,7 @@ __all__ = [
     "library",
     "open_robot",
     "serial_chains",
+    "uses",
 ]
 
 
@@ -53,6 +54,7 @@ def open_robot(
     angle_unit: str | None = None,
     length_unit: str | None = None,
     packages: Mapping[str, str] | None = None,
+    xacro_args: Mapping[str, str] | None = None,
     square: bool = True,
 ) -> Robot:
     """The robot in a file, or of a name in the library.
@@ -68,6 +70,7 @@ def open_robot(
         angle_unit: unit of bare angles of a table that does not say.
         length_unit: unit of lengths of a table that does not say.
         packages: name to folder, for ``$(find NAME)`` in a xacro file.
+        xacro_args: name to text, for ``$(arg NAME)`` in a xacro file.
         square: check that the task has as many dimensions as there are joints.
 
     Raises:
@@ -83,6 +86,7 @@ def open_robot(
         angle_unit=angle_unit,
         length_unit=length_unit,
         packages=packages,
+        xacro_args=xacro_args,
     )
     if lock:
         robot = _locked(robot, lock, task)
@@ -128,13 +132,27 @@ def serial_chains(
     name_or_path: str | Path,
     base: str | None = None,
     packages: Mapping[str, str] | None = None,
+    xacro_args: Mapping[str, str] | None = None,
 ) -> list[Candidate]:
     """The serial chains of a robot, likely ones first; see `read_robot.chains_in`.
 
     Raises:
         InvalidRobotError: no such robot, or it cannot be read.
     """
-    return chains_in(_find(name_or_path), base, packages)
+    return chains_in(_find(name_or_path), base, packages, xacro_args)
+
+
+def uses(name_or_path: str | Path, option: str) -> bool:
+    """Whether the robot's file is of a format that uses the option.
+
+    Args:
+        name_or_path: as in `open_robot`.
+        option: one of its arguments, such as ``angle_unit``.
+
+    Raises:
+        InvalidRobotError: no such robot.
+    """
+    return takes(_find(name_or_path), option)
 
 
 def library() -> list[tuple[str, Path]]:

@@ -17,6 +17,7 @@ from cuspaudit.robot.library import open_robot
 from cuspaudit.toolpath.trace import trace_path
 from cuspaudit.toolpath.traced_arm import traced_arm
 
+
 @pytest.mark.slow
 def test_the_reverse_of_a_path_gives_the_inverse_map() -> None:
     """Twelve random paths of random arms of three joints, births counted too."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -30,6 +30,7 @@ class Choices:
         angle_unit: "rad" or "deg", for a table that does not say.
         length_unit: "m" or "mm", for a table that does not say.
         packages: name to folder, for a file that finds packages by name.
+        xacro_args: name to text, for a file that asks for arguments.
     """
 
     base: str | None = None
@@ -39,6 +40,11 @@ class Choices:
     angle_unit: str | None = None
     length_unit: str | None = None
     packages: Mapping[str, str] | None = None
+    xacro_args: Mapping[str, str] | None = None
+
+    def given(self) -> list[str]:
+        """The names of those that are told."""
+        return [each.name for each in fields(self) if getattr(self, each.name)]
 
 
 def _any(path: Path) -> bool:
@@ -57,6 +63,7 @@ class Format:
             first; None for a format that holds one chain and no links.
         recorded: those of the endings whose files may say what is expected of them.
         is_robot: whether a file with such an ending holds a robot, by a look at it.
+        takes: the choices beside the task that its reader uses; others are refused.
     """
 
     name: str
@@ -65,3 +72,4 @@ class Format:
     chains: Callable[[Path, Choices], list[Candidate]] | None = None
     recorded: tuple[str, ...] = ()
     is_robot: Callable[[Path], bool] = _any
+    takes: tuple[str, ...] = ("base", "tip")

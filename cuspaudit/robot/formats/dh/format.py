@@ -7,7 +7,6 @@ from pathlib import Path
 
 from cuspaudit.robot.formats.dh.endings import LINE_ENDINGS
 from cuspaudit.robot.formats.format import Choices, Format
-from cuspaudit.robot.place import Place
 from cuspaudit.robot.robot import Robot
 
 __all__ = ["DH"]
@@ -19,9 +18,6 @@ _ROBOT = re.compile(rb"^joints[ \t]*:", re.MULTILINE)
 def _read(path: Path, choices: Choices) -> Robot:
     from cuspaudit.robot.formats.dh.read import read_dh
 
-    if choices.base is not None or choices.tip is not None:
-        expected = "leave out --base and --tip: a table is one chain"
-        raise Place(str(path)).error("a table has no links to choose from", expected)
     return read_dh(
         path,
         task=choices.task,
@@ -42,4 +38,5 @@ DH = Format(
     read=_read,
     recorded=(*_YAML, ".csv"),
     is_robot=_is_robot,
+    takes=("convention", "angle_unit", "length_unit"),
 )

@@ -18,7 +18,7 @@ from typing import Any
 
 from cuspaudit.errors import CuspauditError, InvalidRobotError, UnableError
 from cuspaudit.robot.formats.xacro.expressions import refusal
-from cuspaudit.robot.place import Place, quoted
+from cuspaudit.robot.place import Place, listing, quoted
 from cuspaudit.runtime.clock import Progress
 from cuspaudit.runtime.own_process import run_in_own_process
 
@@ -26,6 +26,10 @@ __all__ = ["expanded"]
 
 _SECONDS = 20.0
 _BY_HAND = "expand it first: xacro FILE > robot.urdf"
+_ADVICE = {
+    "PackageNotFoundError": "name its folder by --package NAME=DIR",
+    "ArgException": "give the argument by --xacro-arg NAME=VALUE",
+}
 _REFUSED = (
     *("socket.", "subprocess.", "os.system", "os.exec", "os.posix_spawn", "os.fork"),
     *("os.spawn", "os.remove", "os.rename", "os.mkdir", "os.rmdir", "os.link"),
@@ -34,12 +38,15 @@ _REFUSED = (
 )
 
 
-def expanded(path: Path, packages: Mapping[str, str]) -> str:
+def expanded(
+    path: Path, packages: Mapping[str, str], arguments: Mapping[str, str]
+) -> str:
     """The URDF that a xacro file expands to.
 
     Args:
         path: the file.
         packages: name to folder, for ``$(find NAME)``.
+        arguments: name to text, for ``$(arg NAME)``; the file must ask for each.
 
     Raises:
         InvalidRobotError: xacrodoc is not installed, the file is not there, or it does
@@ -55,7 +62,7 @@ def expanded(path: Path, packages: Mapping[str, str]) -> str:
         if not Path(folder).is_dir():
             found = f"no folder {quoted(folder)} for the package {quoted(name)}"
             raise place.error(found, "give --package NAME=DIR with a folder")
-    work = partial(_expand, path.resolve(), dict(packages), place)
+    work = partial(_expand, path.resolve(), dict(packages), dict(arguments), place)
     try:
         text: str = run_in_own_process(work, timeout=_SECONDS)
     except UnableError:
@@ -64,8 +71,28 @@ def expanded(path: Path, packages: Mapping[str, str]) -> str:
     return text
 
 
+class _Asked(dict[str, str]):
+    """Arguments that remember which of them the file asked for."""
+
+    def __init__(self, given: Mapping[str, str]) -> None:
+        super().__init__(given)
+        self.asked: set[object] = set()
+
+    def __contains__(self, name: object) -> bool:
+        self.asked.add(name)
+        return super().__contains__(name)
+
+    def __getitem__(self, name: str) -> str:
+        self.asked.add(name)
+        return super().__getitem__(name)
+
+
 def _expand(
-    path: Path, packages: Mapping[str, str], place: Place, progress: Progress
+    path: Path,
+    packages: Mapping[str, str],
+    arguments: Mapping[str, str],
+    place: Place,
+    progress: Progress,
 ) -> str:
     """The expansion, in the child."""
     import xacro
@@ -94,13 +121,29 @@ def _expand(
     )
     folders = [path.parent, *(Path(folder).resolve() for folder in packages.values())]
     sys.addaudithook(partial(_audit, [str(folder) for folder in folders]))
+    given = _Asked(arguments)
     try:
-        found: str = xacrodoc.XacroDoc.from_file(path, walk_up=False).to_urdf_string()
+        read = partial(xacrodoc.XacroDoc.from_file, walk_up=False, subargs=given)
+        found: str = read(path).to_urdf_string()
     except CuspauditError:
         raise
     except BaseException as error:
         raise _told(error, place) from None
+    _check_asked(given, arguments, place)
     return found
+
+
+def _check_asked(given: _Asked, arguments: Mapping[str, str], place: Place) -> None:
+    """Check that the file asks for each argument.
+
+    Raises:
+        InvalidRobotError: for one it does not.
+    """
+    other = [name for name in arguments if name not in given.asked]
+    if other:
+        names = sorted(str(name) for name in given.asked)
+        expected = f"it asks for {listing(names)}" if names else "leave it out"
+        raise place.error(f"no argument is named {quoted(other[0])}", expected)
 
 
 class _RefusedError(Exception):
@@ -143,6 +186,11 @@ def _told(error: BaseException, place: Place) -> InvalidRobotError:
         chain.append(cause)
     own = [each for each in chain if isinstance(each, _RefusedError)]
     text = " ".join(str((own or chain)[-1]).split())[:200]
-    missing = any("PackageNotFound" in type(each).__name__ for each in chain)
-    expected = "name its folder by --package NAME=DIR" if missing else _BY_HAND
-    return place.error(text or type(error).__name__, expected)
+    unset = [each for each in chain if type(each).__name__ == "ArgException"]
+    if unset:
+        text = f"the argument {quoted(str(unset[0]))} has no value"
+    kinds = {type(each).__name__ for each in chain}
+    for kind, expected in _ADVICE.items():
+        if kind in kinds:
+            return place.error(text or kind, expected)
+    return place.error(text or type(error).__name__, _BY_HAND)

@@ -24,7 +24,7 @@ def _as_urdf(path: Path, choices: Choices) -> Iterator[Path]:
     """A URDF that the file expands to; errors about it name the file itself."""
     from cuspaudit.robot.formats.xacro.expand import expanded
 
-    text = expanded(path, choices.packages or {})
+    text = expanded(path, choices.packages or {}, choices.xacro_args or {})
     with tempfile.TemporaryDirectory() as folder:
         urdf = Path(folder) / f"{path.stem}.urdf"
         urdf.write_text(text, encoding="utf-8")
@@ -41,7 +41,8 @@ def _read(path: Path, choices: Choices) -> Robot:
 
     with _as_urdf(path, choices) as urdf:
         robot = read_urdf(urdf, choices.base, choices.tip, choices.task)
-    note = "expanded by xacro, without arguments"
+    given = [f"{name}={text}" for name, text in (choices.xacro_args or {}).items()]
+    note = f"expanded by xacro, {', '.join(given) or 'without arguments'}"
     return replace(robot, file=str(path), urdf=None, notes=(note, *robot.notes))
 
 
@@ -52,4 +53,10 @@ def _chains(path: Path, choices: Choices) -> list[Candidate]:
         return urdf_candidates(urdf, choices.base)
 
 
-XACRO = Format(name="xacro", endings=(".xacro",), read=_read, chains=_chains)
+XACRO = Format(
+    name="xacro file",
+    endings=(".xacro",),
+    read=_read,
+    chains=_chains,
+    takes=("base", "tip", "packages", "xacro_args"),
+)

@@ -118,3 +118,30 @@ def test_arithmetic_is_evaluated() -> None:
         assert refusal(text) is None
     for text in ("lambda: 0", "x.__dict__", "f(x)", "'{}'.format(x)", "a := 1", "["):
         assert refusal(text) is not None
+
+
+ASKING = """\
+<robot name="arm" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:arg name="lift" default="0.25"/>
+  <link name="base"/><link name="tip"/>
+  <joint name="j" type="continuous"><parent link="base"/><child link="tip"/>
+    <origin xyz="$(arg length) 0 $(arg lift)"/><axis xyz="0 0 1"/></joint>
+</robot>
+"""
+
+
+def test_arguments_are_given_by_name_and_asked_for(tmp_path: Path) -> None:
+    """A missing one is asked for by its option; a name that is not there is refused."""
+    path = tmp_path / "arm.xacro"
+    path.write_text(ASKING)
+    with pytest.raises(InvalidRobotError, match=r'"length" has no value.*--xacro-arg'):
+        read_robot(path)
+    robot = read_robot(path, xacro_args={"length": "${2 * 0.5}"})
+    [step] = robot.chain.joints[0].before
+    assert [float(x) for x in step.vector] == [1, 0, 0.25]
+    assert robot.notes[0] == "expanded by xacro, length=${2 * 0.5}"
+    given = {"length": "1", "lfit": "2"}
+    with pytest.raises(InvalidRobotError, match='no argument is named "lfit"; it asks'):
+        read_robot(path, xacro_args=given)
+    with pytest.raises(InvalidRobotError, match="holds a call of"):
+        read_robot(path, xacro_args={"length": "${open('/etc/passwd')}"})
