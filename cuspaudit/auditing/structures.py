@@ -32,7 +32,8 @@ from cuspaudit.kinematics.theorems.neighbouring_axes import (
 )
 from cuspaudit.kinematics.theorems.registry import reduction_of
 from cuspaudit.robot.distance_text import distance_text, structure_words
-from cuspaudit.runtime.clock import check_time, time_limit
+from cuspaudit.runtime.clock import check_time, seconds_left, time_limit
+from cuspaudit.runtime.own_process import run_in_own_process
 
 __all__ = ["Structure", "near_structures", "why_undecided"]
 
@@ -121,15 +122,29 @@ def _structure(
 
 
 def _decided(near: NearStructure) -> Structure | None:
-    """As Algorithm 1 has it, for the three joints; None if that takes too long."""
+    """As Algorithm 1 has it, for the three joints; None if that takes too long.
+
+    The numbers of a nearest arm are long, and one call of a kernel with them may take
+    many times what is allowed: it is made where it can be ended.
+    """
+    left = seconds_left()
+    seconds = _SECONDS if left is None else min(_SECONDS, left)
     try:
-        with time_limit(_SECONDS):
-            found = answer(near.model, check_time)
+        verdict, aspects = run_in_own_process(
+            lambda step: _verdict_and_aspects(near.model, seconds), timeout=seconds
+        )
     except UnableError:
         return None
-    if found.verdict is Verdict.UNDECIDED:
-        return None
-    return _structure(near, found.verdict, found.aspects)
+    return None if verdict is None else _structure(near, verdict, aspects)
+
+
+def _verdict_and_aspects(
+    model: ExactModel, seconds: float
+) -> tuple[Verdict | None, Count | None]:
+    with time_limit(seconds):
+        found = answer(model, check_time)
+    known = found.verdict is not Verdict.UNDECIDED
+    return found.verdict if known else None, found.aspects
 
 
 def _is_sure(near: NearStructure) -> bool:

@@ -13,13 +13,13 @@ import resource
 import signal
 from collections.abc import Callable
 from contextlib import suppress
-from multiprocessing import get_context
+from multiprocessing import current_process, get_context
 from multiprocessing.connection import Connection
 from multiprocessing.context import ForkProcess
 from typing import Any
 
 from cuspaudit.errors import TimeLimitError, UnableError
-from cuspaudit.runtime.clock import Clock, Progress
+from cuspaudit.runtime.clock import Clock, Progress, time_limit
 
 __all__ = ["run_in_own_process"]
 
@@ -35,6 +35,9 @@ def run_in_own_process(
 ) -> Any:
     """What ``work`` returns, from a process of its own.
 
+    A worker of a `multiprocessing.Pool` may have no process of its own: there the work
+    is done in place, and stops where it asks for the time.
+
     Args:
         work: called with a function that takes the name of each step before it runs;
             what it returns must pickle.
@@ -46,6 +49,9 @@ def run_in_own_process(
         UnableError: a limit was met, or the process died; it names the last step.
         Exception: whatever ``work`` raised.
     """
+    if current_process().daemon:
+        with time_limit(timeout):
+            return work(progress)
     context = get_context("fork")
     here, there = context.Pipe(duplex=False)
     child = context.Process(target=_run, args=(work, there, memory))

@@ -5,6 +5,7 @@ from __future__ import annotations
 import subprocess
 import time
 from collections.abc import Callable
+from multiprocessing import get_context
 from pathlib import Path
 
 import pytest
@@ -73,3 +74,13 @@ def test_a_bug_is_not_taken_for_a_limit() -> None:
 
     with pytest.raises(ZeroDivisionError, match="a bug"):
         run_in_own_process(work)
+
+
+def test_a_worker_of_a_pool_does_the_work_in_place() -> None:
+    """Where a process may start none, the value comes back all the same."""
+    with get_context("fork").Pool(1) as pool:
+        assert pool.apply(_seven_in_own_process) == 7
+
+
+def _seven_in_own_process() -> int:
+    return int(run_in_own_process(lambda progress: 7, timeout=5.0))
