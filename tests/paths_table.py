@@ -100,15 +100,18 @@ def check_reverse(arm: TracedArm, path: ToolPath, births: bool) -> str:
     Args:
         arm: the arm.
         path: is traced without limits.
-        births: whether the births there are to be the deaths back.
+        births: whether the births there are to be the deaths back, where all of them
+            are known; a path that begins or ends at a singular posture leaves them open.
     """
     there = trace_path(arm, path, limited=False)
     back = trace_path(arm, backwards(path), limited=False)
     if not all(run.proved for run in (*there.runs, *back.runs)):
         return "undecided"
     assert {(b, a) for a, b in partial_map(back)} == partial_map(there)
+    if births and not (there.births_complete and back.births_complete):
+        return "inverse, births open"
     if births:
-        ends = [run.at for run in back.runs if run.end == "singular"]
+        ends = [r.at for r in back.runs if r.end == "singular" and r.sign != 0]
         born = [path.legs - b.at for b in there.born if b.end == "reached"]
         assert np.allclose(sorted(born), sorted(ends), atol=1e-6)
     return "inverse" if there.runs or back.runs else "no posture"
