@@ -101,7 +101,7 @@ def check_reverse(arm: TracedArm, path: ToolPath, births: bool) -> str:
         arm: the arm.
         path: is traced without limits.
         births: whether the births there are to be the deaths back, where all of them
-            are known; a path that begins or ends at a singular posture leaves them open.
+            are known; a path that begins or ends at a singular posture leaves some.
     """
     there = trace_path(arm, path, limited=False)
     back = trace_path(arm, backwards(path), limited=False)

@@ -7,18 +7,18 @@ from __future__ import annotations
 
 import shlex
 from collections.abc import Iterator
-from contextlib import suppress
 from dataclasses import replace
 from fractions import Fraction
+from pathlib import Path
 
 from cuspaudit.errors import CuspauditError
 from cuspaudit.kinematics.common_direction import common_direction
 from cuspaudit.kinematics.degeneracy import cause_of_degeneracy
 from cuspaudit.kinematics.exact_model import ExactModel, exact_model
 from cuspaudit.kinematics.regular import is_regular_somewhere
-from cuspaudit.robot.chain import Chain, Task, Translation
+from cuspaudit.robot.chain import Chain, Motion, Task, Translation
 from cuspaudit.robot.formats.motion_text import format_motion
-from cuspaudit.robot.formats.urdf.read import links_beside, read_urdf
+from cuspaudit.robot.formats.registry import format_of
 from cuspaudit.robot.proposals import fitting_locks, fitting_tasks, locks_named
 from cuspaudit.robot.robot import Robot
 from cuspaudit.robot.snapping import snap
@@ -28,7 +28,6 @@ from cuspaudit.robot.virtual_joint import without_virtual_joint
 __all__ = ["advice_on_degeneracy", "advice_without_angle"]
 
 _STEP = {"m": Fraction(1, 10), "mm": Fraction(100)}
-_MOST_LINKS = 20
 
 
 def advice_without_angle(model: ExactModel) -> str:
@@ -74,23 +73,25 @@ def _ways(robot: Robot, chain: Chain, cause: str) -> Iterator[str]:
 
 
 def _other_tips(robot: Robot, chain: Chain) -> Iterator[str]:
-    """Another point of the last body: a tool of a table, a link of a tree."""
-    if robot.urdf is None:
-        step = _STEP[chain.unit]
-        for k in range(3):
-            x, y, z = (step if k == axis else Fraction(0) for axis in range(3))
-            motion = Translation((x, y, z))
-            if _works(replace(chain, tool=(*chain.tool, motion))):
-                text = format_motion(motion)
+    """Another point of the last body: a link of a tree, a tool of a table."""
+    for other in robot.beside:
+        if _works(snap(replace(other, task=chain.task))[0]):
+            yield f"give --tip {shlex.quote(other.tip)}"
+            return
+    known = format_of(Path(robot.file))
+    step = _STEP[chain.unit]
+    for k in range(3):
+        x, y, z = (step if k == axis else Fraction(0) for axis in range(3))
+        motion: Motion = Translation((x, y, z))
+        if _works(replace(chain, tool=(*chain.tool, motion))):
+            text = format_motion(motion)
+            if known is None or known.chains is None:
                 yield f"give a tool off that axis, such as tool: [{text}]"
-                return
-        return
-    for link in links_beside(robot.urdf, chain.tip)[:_MOST_LINKS]:
-        with suppress(CuspauditError):
-            other = read_urdf(robot.urdf, chain.base, link, chain.task).chain
-            if _works(snap(lock(other, robot.locked))[0]):
-                yield f"give --tip {shlex.quote(link)}"
-                return
+            else:
+                offset = text.removeprefix("move ")
+                found = f"fix a link at {offset} on {chain.tip}, off that axis"
+                yield f"{found}, and give it by --tip"
+            return
 
 
 def _works(chain: Chain) -> bool:

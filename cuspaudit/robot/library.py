@@ -112,6 +112,7 @@ def _locked(
         locked=locked,
         expect=None,
         other_convention=other,
+        beside=tuple(_held(beside, lock, task) for beside in robot.beside),
     )
 
 

@@ -45,6 +45,7 @@ class Robot:
         locked: joints that are held fixed in the chain, with their values as text.
         other_convention: what the same D-H table gives in the other convention; None
             where there is none.
+        beside: the same chain to other links of the body its tip is on.
     """
 
     name: str
@@ -57,6 +58,7 @@ class Robot:
     notes: tuple[str, ...] = ()
     locked: Mapping[str, str] = field(default_factory=dict)
     other_convention: Reading | None = None
+    beside: tuple[Chain, ...] = ()
 
     def __repr__(self) -> str:
         """The robot in one short line."""

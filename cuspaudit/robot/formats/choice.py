@@ -10,7 +10,8 @@ from __future__ import annotations
 import re
 import shlex
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from contextlib import suppress
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -22,12 +23,13 @@ from cuspaudit.robot.place import listing, quoted
 from cuspaudit.robot.proposals import fitting_locks, fitting_tasks
 from cuspaudit.robot.task import DIMENSIONS, default_task
 
-__all__ = ["Build", "Candidate", "candidates", "choose_chain"]
+__all__ = ["Build", "Candidate", "candidates", "chains_beside", "choose_chain"]
 
 Build = Callable[[str, str], tuple[Chain, list[str]]]
 """From base and tip to the chain and remarks on what was read."""
 
 _MOST_SHOWN = 8
+_MOST_BESIDE = 20
 _MOST_JOINTS = 7
 _GRIPS = re.compile("grip|jaw|finger|claw", re.IGNORECASE)
 _LIKELY = (6, 7, 5, 4, 3)
@@ -138,6 +140,18 @@ def choose_chain(
     rest = f"; ... ({count} in all)" if count > len(shown) else ""
     found = f"{count} chains may be meant"
     raise tree.place.error(found, f"choose one: {'; '.join(texts)}{rest}")
+
+
+def chains_beside(tree: Tree[E], build: Build, chain: Chain) -> tuple[Chain, ...]:
+    """The same chain to other links of the body that its tip is on, the first 20."""
+    found = []
+    others = [link for link in tree.beside(chain.tip) if tree.path(chain.base, link)]
+    for link in others[:_MOST_BESIDE]:
+        with suppress(InvalidRobotError):
+            other, _ = build(chain.base, link)
+            if len(other.joints) == len(chain.joints):
+                found.append(replace(other, task=chain.task))
+    return tuple(found)
 
 
 def _ends(tree: Tree[E], base: str) -> list[tuple[Branch[E], str]]:

@@ -8,8 +8,8 @@ or when it holds a fixed frame (a tool) and its one joint moves a bare link (a j
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from typing import Generic, Protocol, TypeVar
 
 from cuspaudit.robot.place import Place, listing, quoted
@@ -72,12 +72,14 @@ class Tree(Generic[E]):
         links: every link, in file order.
         above: link to the joint that carries it; roots are absent.
         below: link to the joints it carries, in file order.
+        marks: link to the frames fixed on it that end a chain only when named.
     """
 
     place: Place
     links: Sequence[str]
     above: dict[str, E]
     below: dict[str, list[E]]
+    marks: Mapping[str, Sequence[str]] = field(default_factory=dict)
 
     @property
     def roots(self) -> list[str]:
@@ -159,6 +161,15 @@ class Tree(Generic[E]):
             held = [j.child for j in self.below.get(link, []) if not _moves(j)]
             waiting.extend(reversed(held))
         return found
+
+    def beside(self, link: str) -> list[str]:
+        """The other links and marks that fixed joints hold to ``link``."""
+        top = link
+        while top in self.above and not _moves(self.above[top]):
+            top = self.above[top].parent
+        body = self.body(top)
+        held = [*body, *(mark for each in body for mark in self.marks.get(each, ()))]
+        return [each for each in held if each != link]
 
     def _is_hand(
         self,

@@ -22,12 +22,16 @@ _MOST_ELEMENTS = 200_000
 _BEGINNING = 65536
 _KEPT = {
     *("mujoco", "compiler", "default", "joint", "freejoint", "worldbody", "body"),
-    *("frame", "equality", "connect", "weld", "tendon"),
+    *("frame", "site", "equality", "connect", "weld", "tendon"),
 }
+_SAVE = (
+    'let MuJoCo save it whole: python -c "import mujoco as m; m.mj_saveLastXML('
+    "'whole.xml', m.MjModel.from_xml_path('FILE'))\", and give whole.xml"
+)
 _OUTSIDE = {
-    "include": ("an <include>", "write the elements of that file in its place"),
-    "attach": ("an <attach>", "write the attached bodies in its place"),
-    "replicate": ("a <replicate>", "write the bodies that it makes in its place"),
+    "include": ("an <include>", _SAVE),
+    "attach": ("an <attach>", _SAVE),
+    "replicate": ("a <replicate>", _SAVE),
     "composite": ("a <composite>", "leave it out: an arm has none"),
     "flexcomp": ("a <flexcomp>", "leave it out: an arm has none"),
 }
@@ -124,6 +128,7 @@ class _Reader:
             raise self._here().error(found, "give an MJCF model")
         if tag in _OUTSIDE:
             found, expected = _OUTSIDE[tag]
+            expected = expected.replace("FILE", str(self.place.file))
             raise self._here().error(found, expected)
         above = self.open[-1] if self.open else None
         element = None

@@ -7,14 +7,14 @@ rational. Those that are multiples of pi/4 are exact, any other is kept to 40 di
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
 
 from flint import arb, ctx
 
 from cuspaudit.algebra.rationals import exact_rational
 from cuspaudit.algebra.ring import rational
-from cuspaudit.robot.axes import rational_root, scaled_axis, unit_axis
+from cuspaudit.robot.axes import scaled_axis, unit_axis
 from cuspaudit.robot.chain import (
     X_AXIS,
     Y_AXIS,
@@ -24,16 +24,23 @@ from cuspaudit.robot.chain import (
     Rotation,
     Vector,
 )
-from cuspaudit.robot.formats.mjcf.elements import Element
 from cuspaudit.robot.numbers import parse_decimal
 from cuspaudit.robot.place import Place, quoted
 
-__all__ = ["angle", "direction", "numbers", "orientation", "vector"]
+__all__ = [
+    "ORIENTATIONS",
+    "angle",
+    "direction",
+    "numbers",
+    "orientation",
+    "turn_of_z",
+    "vector",
+]
 
 _LARGEST = Fraction(10**10)
 _BITS = 192
 _DIGITS = 40
-_ORIENTATIONS = ("quat", "axisangle", "euler", "xyaxes", "zaxis")
+ORIENTATIONS = ("quat", "axisangle", "euler", "xyaxes", "zaxis")
 _AXES = {"x": X_AXIS, "y": Y_AXIS, "z": Z_AXIS}
 
 Matrix = tuple[Vector, Vector, Vector]
@@ -76,12 +83,16 @@ def angle(value: Fraction, degrees: bool) -> Angle:
 
 
 def orientation(
-    element: Element, degrees: bool, sequence: str, source: str, place: Place
+    attributes: Mapping[str, str],
+    degrees: bool,
+    sequence: str,
+    source: str,
+    place: Place,
 ) -> tuple[Motion, ...]:
-    """The rotation of a body or frame, as turns from left to right.
+    """The rotation of a body, frame or site, as turns from left to right.
 
     Args:
-        element: whose attributes are read.
+        attributes: of the element.
         degrees: whether bare angles are in degrees.
         sequence: of Euler angles, such as "xyz"; capitals turn about fixed axes.
         source: what the numbers are called.
@@ -90,14 +101,14 @@ def orientation(
     Raises:
         InvalidRobotError: they cannot be read, or there are two orientations.
     """
-    given = [name for name in _ORIENTATIONS if name in element.attributes]
+    given = [name for name in ORIENTATIONS if name in attributes]
     if len(given) > 1:
         found = f"two orientations, {' and '.join(given)}"
         raise place.error(found, "leave one")
     if not given:
         return ()
     [name] = given
-    text, here = element.attributes[name], place.at(name)
+    text, here = attributes[name], place.at(name)
     turns: Sequence[tuple[Vector, Angle]]
     if name == "axisangle":
         *axis, turn = numbers(text, 4, here)
@@ -108,8 +119,10 @@ def orientation(
         turns = _euler(vector(text, here), degrees, sequence)
     elif name == "quat":
         turns = _quaternion(numbers(text, 4, here), here)
+    elif name == "zaxis":
+        turns = turn_of_z(vector(text, here), here)
     else:
-        turns = _frame(name, text, here)
+        turns = _axes(numbers(text, 6, here), here)
     return tuple(
         Rotation(axis, turn, f"{source} {name}")
         for axis, turn in turns
@@ -146,36 +159,43 @@ def _quaternion(values: Sequence[Fraction], place: Place) -> list[tuple[Vector, 
     )
 
 
-def _frame(name: str, text: str, place: Place) -> list[tuple[Vector, Angle]]:
-    """The turns of xyaxes or zaxis along the coordinate axes; others are refused."""
-    count = 6 if name == "xyaxes" else 3
-    values = numbers(text, count, place)
-    x = _signed(values[:3])
-    if name == "zaxis":
-        if x is None:
-            raise place.error("a z axis off the coordinate axes", "write a quat")
-        if x[2]:
-            return [] if x[2] > 0 else [(X_AXIS, Angle(Fraction(1)))]
-        # the shortest turn from z to the given axis
-        return [((-x[1], x[0], Fraction(0)), Angle(Fraction(1, 2)))]
-    y = _signed(values[3:])
-    if x is None or y is None or x[0] * y[0] + x[1] * y[1] + x[2] * y[2]:
-        raise place.error("axes off the coordinate axes", "write a quat")
-    z = (
-        x[1] * y[2] - x[2] * y[1],
-        x[2] * y[0] - x[0] * y[2],
-        x[0] * y[1] - x[1] * y[0],
-    )
-    first, second, third = ((x[k], y[k], z[k]) for k in range(3))
-    return _turns((first, second, third))
+def turn_of_z(given: Vector, place: Place) -> list[tuple[Vector, Angle]]:
+    """The shortest turn from z to a direction, about x where that is -z.
+
+    Raises:
+        InvalidRobotError: it is the zero vector.
+    """
+    x, y, z = given
+    if not any(given):
+        raise place.error("the zero vector", "write a direction")
+    if x == y == 0:
+        return [] if z > 0 else [(X_AXIS, Angle(Fraction(1)))]
+    axis = scaled_axis((-y, x, Fraction(0)))
+    return [(axis, _angle_of(Fraction(1), z, x * x + y * y))]
 
 
-def _signed(values: Sequence[Fraction]) -> Vector | None:
-    """The unit vector along a coordinate axis, None for another direction."""
-    if len([value for value in values if value]) != 1:
-        return None
-    x, y, z = (Fraction((value > 0) - (value < 0)) for value in values)
-    return x, y, z
+def _axes(values: Sequence[Fraction], place: Place) -> list[tuple[Vector, Angle]]:
+    """The turns to an x axis and a y axis, of which the part across x counts.
+
+    Raises:
+        InvalidRobotError: one is the zero vector, or they are along one line.
+    """
+    (a, b, c), second = values[:3], values[3:]
+    square = a * a + b * b + c * c
+    if square == 0 or not any(second):
+        raise place.error("the zero vector", "write two directions")
+    along = (a * second[0] + b * second[1] + c * second[2]) / square
+    y = (second[0] - along * a, second[1] - along * b, second[2] - along * c)
+    if not any(y):
+        raise place.error("two axes along one line", "write two directions")
+    z = (b * y[2] - c * y[1], c * y[0] - a * y[2], a * y[1] - b * y[0])
+    # z is as long as x and y together, so y is |x| times too short beside it
+    if a == b == 0:
+        sign = 1 if c > 0 else -1
+        roll = _angle_of(-sign * y[0], -sign * z[0], square)
+        return [(Y_AXIS, Angle(Fraction(-sign, 2))), (X_AXIS, roll)]
+    yaw, roll = _angle_of(b, a), _angle_of(y[2], z[2], square)
+    return [(Z_AXIS, yaw), (Y_AXIS, _pitch(-c, a * a + b * b)), (X_AXIS, roll)]
 
 
 def _turns(R: Matrix) -> list[tuple[Vector, Angle]]:
@@ -194,26 +214,22 @@ def _pitch(sine: Fraction, level: Fraction) -> Angle:
     """The angle with this sine and the root of ``level`` as cosine, up to a factor."""
     if sine * sine == level or sine == 0:
         return Angle(Fraction((sine > 0) - (sine < 0), 4))
-    root = rational_root(level)
-    if root is not None:
-        return _angle_of(sine, root)
-    saved, ctx.prec = ctx.prec, _BITS
-    try:
-        return _kept(arb.atan2(arb(rational(sine)), arb(rational(level)).sqrt()))
-    finally:
-        ctx.prec = saved
+    return _angle_of(sine / level, Fraction(1), level)
 
 
-def _angle_of(sine: Fraction, cosine: Fraction) -> Angle:
-    """The angle of a point of the plane other than 0."""
-    if sine == 0 or cosine == 0 or abs(sine) == abs(cosine):
+def _angle_of(
+    sine: Fraction, cosine: Fraction, square: Fraction = Fraction(1)
+) -> Angle:
+    """The angle of the point (cosine, sine * root of ``square``), other than 0."""
+    if sine == 0 or cosine == 0 or sine * sine * square == cosine * cosine:
         x, y = (cosine > 0) - (cosine < 0), (sine > 0) - (sine < 0)
         eighths = {(1, 0): 0, (1, 1): 1, (0, 1): 2, (-1, 1): 3}
         eighths |= {(-1, 0): 4, (-1, -1): -3, (0, -1): -2, (1, -1): -1}
         return Angle(Fraction(eighths[x, y], 4))
     saved, ctx.prec = ctx.prec, _BITS
     try:
-        return _kept(arb.atan2(arb(rational(sine)), arb(rational(cosine))))
+        height = arb(rational(sine)) * arb(rational(square)).sqrt()
+        return _kept(arb.atan2(height, arb(rational(cosine))))
     finally:
         ctx.prec = saved
 

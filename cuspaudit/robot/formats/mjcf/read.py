@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shlex
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from fractions import Fraction
@@ -10,7 +11,13 @@ from pathlib import Path
 from cuspaudit.errors import UnsupportedJointError
 from cuspaudit.robot.chain import Chain, Joint, JointKind, Motion
 from cuspaudit.robot.coupling import Coupling, uncoupled
-from cuspaudit.robot.formats.choice import Build, Candidate, candidates, choose_chain
+from cuspaudit.robot.formats.choice import (
+    Build,
+    Candidate,
+    candidates,
+    chains_beside,
+    choose_chain,
+)
 from cuspaudit.robot.formats.format import MOST_JOINTS
 from cuspaudit.robot.formats.mjcf.elements import Element, read_elements
 from cuspaudit.robot.formats.mjcf.numbers import numbers
@@ -35,7 +42,7 @@ def read_mjcf(
     Args:
         path: the file.
         base: a body; by default the world, or the body that floats.
-        tip: a body; by default the only end there is.
+        tip: a body or a site; by default the only body that is an end.
         task: a name in `robot.task.DIMENSIONS`; by default the
             one for so many joints.
 
@@ -52,7 +59,12 @@ def read_mjcf(
     chain, remarks = choose_chain(tree, build, base, tip)
     notes = [note for note in notes if quoted(WORLD) not in note]
     notes += [*remarks, *check_limits(chain, tree.place)]
-    return Robot(chain.name, str(path), chain, notes=tuple(notes))
+    marks = tree.marks.get(chain.tip, ())
+    if marks and chain.task != "pose":
+        way = shlex.quote(marks[0])
+        notes.append(f"sites on {quoted(chain.tip)} may be the tip: --tip {way}")
+    beside = chains_beside(tree, build, chain)
+    return Robot(chain.name, str(path), chain, notes=tuple(notes), beside=beside)
 
 
 def mjcf_candidates(

@@ -10,11 +10,15 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from cuspaudit.robot.formats.mjcf.elements import Element
+from cuspaudit.robot.formats.mjcf.numbers import ORIENTATIONS
 from cuspaudit.robot.place import Place, quoted
 
 __all__ = ["Settings", "settings"]
 
+Defaults = Mapping[str, Mapping[str, str]]
+
 _MAIN = "main"
+_TAGS = ("joint", "site")
 _YES = {"true": True, "false": False}
 
 
@@ -26,18 +30,19 @@ class Settings:
         degrees: whether bare angles are in degrees, which is MuJoCo's default.
         sequence: of Euler angles.
         autolimits: whether a range alone limits a joint.
-        classes: attributes of a joint by class, those of the classes around included.
+        classes: by class, those around it included, and by tag (joint, site), the
+            attributes that an element has unless it says otherwise.
     """
 
     degrees: bool
     sequence: str
     autolimits: bool
-    classes: Mapping[str, Mapping[str, str]]
+    classes: Mapping[str, Defaults]
 
-    def joint(
+    def given(
         self, element: Element, childclass: str | None, place: Place
     ) -> Mapping[str, str]:
-        """The attributes of a joint, defaults included.
+        """The attributes of a joint or a site, defaults included.
 
         Raises:
             InvalidRobotError: its class is not there.
@@ -46,7 +51,12 @@ class Settings:
         if name not in self.classes:
             found = f"the class {quoted(name)} is not in the file"
             raise place.error(found, "write its <default>, or another class")
-        return {**self.classes[name], **element.attributes}
+        tag = "site" if element.tag == "site" else "joint"
+        own = element.attributes
+        around = self.classes[name][tag]
+        if any(key in own for key in ORIENTATIONS):
+            around = {k: v for k, v in around.items() if k not in ORIENTATIONS}
+        return {**around, **own}
 
 
 def settings(root: Element, place: Place) -> Settings:
@@ -71,24 +81,26 @@ def settings(root: Element, place: Place) -> Settings:
     automatic = words.get("autolimits", "true")
     if automatic not in _YES:
         raise here.error(f"autolimits {quoted(automatic)}", "write true or false")
-    classes: dict[str, Mapping[str, str]] = {_MAIN: {}}
+    classes: dict[str, Defaults] = {_MAIN: {tag: {} for tag in _TAGS}}
     for default in root.all("default"):
-        _collect(default, {}, True, classes, place)
+        _collect(default, {tag: {} for tag in _TAGS}, True, classes, place)
     return Settings(unit == "degree", sequence, _YES[automatic], classes)
 
 
 def _collect(
     default: Element,
-    around: Mapping[str, str],
+    around: Defaults,
     is_top: bool,
-    classes: dict[str, Mapping[str, str]],
+    classes: dict[str, Defaults],
     place: Place,
 ) -> None:
     """Add the class of a <default> and those inside it."""
     name = default.attributes.get("class", _MAIN if is_top else "")
-    own: dict[str, str] = {**around, **(classes[_MAIN] if is_top else {})}
-    for joint in default.all("joint"):
-        own |= joint.attributes
+    own = {
+        tag: {**around[tag], **(classes[_MAIN][tag] if is_top else {})} for tag in _TAGS
+    }
+    for element in default.all(*_TAGS):
+        own[element.tag] |= element.attributes
     if not name:
         raise default.place(place).error("a default without a class", "name its class")
     if name in classes and not is_top:

@@ -3,13 +3,15 @@
 A body stands in the frame of the one around it by its position and orientation; its
 joints then move it in file order, each about or along its axis through its own anchor,
 in the body's frame as the joints before it have moved it. Between the joints of one
-body stand links of our own making, named BODY/JOINT. A body without joints is fixed.
+body stand links of our own making, named BODY/JOINT. A body without joints is fixed. A
+site is a frame fixed on its body, which ends a chain where it is named.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from fractions import Fraction
 
 from cuspaudit.robot.axes import unit_axis
 from cuspaudit.robot.chain import Z_AXIS, Motion, Rotation, Translation, Vector
@@ -19,6 +21,7 @@ from cuspaudit.robot.formats.mjcf.numbers import (
     direction,
     numbers,
     orientation,
+    turn_of_z,
     vector,
 )
 from cuspaudit.robot.formats.mjcf.settings import Settings
@@ -71,9 +74,8 @@ def tree_from_elements(
         builder.inside(world, WORLD, (), world.attributes.get("childclass"))
     if not builder.above:
         raise place.error("no body", "give an MJCF model with <body> elements")
-    return Tree(
-        place, [WORLD, *builder.above, *builder.free], builder.above, builder.below
-    )
+    links = [WORLD, *builder.above, *builder.free]
+    return Tree(place, links, builder.above, builder.below, builder.marked())
 
 
 class _Builder:
@@ -86,6 +88,7 @@ class _Builder:
         self.below: dict[str, list[MjcfJoint]] = {}
         self.free: list[str] = []
         self.names: dict[str, int] = {}
+        self.sites: list[MjcfJoint] = []
 
     def inside(
         self,
@@ -102,24 +105,60 @@ class _Builder:
             frame: the motions from that body to it.
             childclass: the class that joints inside it have by default.
         """
+        for site in element.all("site"):
+            self._site(site, link, frame, childclass)
         for child in element.all("body", "frame"):
             inner = child.attributes.get("childclass", childclass)
-            placed = frame + self._pose(child)
+            placed = frame + self._pose(child, child.attributes)
             if child.tag == "frame":
                 self.inside(child, link, placed, inner)
             else:
                 self.inside(child, self._body(child, link, placed, inner), (), inner)
 
-    def _pose(self, element: Element) -> tuple[Motion, ...]:
+    def marked(self) -> dict[str, list[str]]:
+        """The sites by the body they stand on; each is a link that carries nothing.
+
+        A site with the name of a body is called BODY/SITE.
+        """
+        found: dict[str, list[str]] = {}
+        for site in self.sites:
+            name = site.name
+            if name in self.above or name in self.free or name == WORLD:
+                name = f"{site.parent}/{name}"
+            self.above[name] = replace(site, child=name)
+            found.setdefault(site.parent, []).append(name)
+        return found
+
+    def _site(
+        self,
+        site: Element,
+        link: str,
+        frame: tuple[Motion, ...],
+        childclass: str | None,
+    ) -> None:
+        """Add a site that has a name."""
+        if not site.attributes.get("name"):
+            return
+        here = site.place(self.place)
+        name = self._unique(site, "")
+        given = self.settings.given(site, childclass, here)
+        before = frame + self._pose(site, given)
+        self.sites.append(
+            MjcfJoint(name, "fixed", link, name, before, Z_AXIS, None, here)
+        )
+
+    def _pose(self, element: Element, given: Mapping[str, str]) -> tuple[Motion, ...]:
         here = element.place(self.place)
         name = element.attributes.get("name", "")
         motions: tuple[Motion, ...] = ()
-        if "pos" in element.attributes:
-            step = vector(element.attributes["pos"], here.at("pos"))
+        if "fromto" in given:
+            return _between(numbers(given["fromto"], 6, here.at("fromto")), name, here)
+        if "pos" in given:
+            step = vector(given["pos"], here.at("pos"))
             if any(step):
                 motions = (Translation(step, f"{name} pos xyz"),)
         unit, sequence = self.settings.degrees, self.settings.sequence
-        return motions + orientation(element, unit, sequence, name, here)
+        return motions + orientation(given, unit, sequence, name, here)
 
     def _body(
         self,
@@ -135,7 +174,7 @@ class _Builder:
         link = parent
         for number, element in enumerate(joints, 1):
             spot = element.place(self.place)
-            given = self.settings.joint(element, childclass, spot)
+            given = self.settings.given(element, childclass, spot)
             kind = "free" if element.tag == "freejoint" else given.get("type", "hinge")
             if kind not in _KINDS:
                 expected = f"write one of {', '.join(_KINDS)}"
@@ -168,7 +207,8 @@ class _Builder:
     def _unique(self, element: Element, unnamed: str) -> str:
         """The name of a body or a joint; each kind has names of its own."""
         name = element.attributes.get("name") or unnamed
-        key = f"{'body' if element.tag == 'body' else 'joint'} {name}"
+        kind = element.tag if element.tag in ("body", "site") else "joint"
+        key = f"{kind} {name}"
         if key in self.names or (element.tag == "body" and name == WORLD):
             first = self.names.get(key, 0)
             found = f"its name is already used{f' in line {first}' if first else ''}"
@@ -214,6 +254,18 @@ class _Builder:
             return lower, upper
         degrees = self.settings.degrees
         return angle(lower, degrees), angle(upper, degrees)
+
+
+def _between(ends: Sequence[Fraction], name: str, place: Place) -> tuple[Motion, ...]:
+    """To the middle of two points, z from the second to the first."""
+    pairs = list(zip(ends[:3], ends[3:], strict=True))
+    x, y, z = ((a + b) / 2 for a, b in pairs)
+    u, v, w = (a - b for a, b in pairs)
+    turns = turn_of_z((u, v, w), place.at("fromto"))
+    return (
+        Translation((x, y, z), f"{name} fromto xyz"),
+        *(Rotation(axis, turn, f"{name} fromto") for axis, turn in turns),
+    )
 
 
 def _opposite(step: Translation) -> Motion:

@@ -14,7 +14,13 @@ from pathlib import Path
 from cuspaudit.errors import UnsupportedJointError
 from cuspaudit.robot.chain import Chain, Joint, JointKind, Motion, Translation
 from cuspaudit.robot.coupling import Coupling, uncoupled
-from cuspaudit.robot.formats.choice import Build, Candidate, candidates, choose_chain
+from cuspaudit.robot.formats.choice import (
+    Build,
+    Candidate,
+    candidates,
+    chains_beside,
+    choose_chain,
+)
 from cuspaudit.robot.formats.format import MOST_JOINTS
 from cuspaudit.robot.formats.tree import Tree
 from cuspaudit.robot.formats.urdf.numbers import axis, limits, origin
@@ -25,7 +31,7 @@ from cuspaudit.robot.place import Place, quoted
 from cuspaudit.robot.robot import Robot
 from cuspaudit.robot.task import check_limits, default_task, parse_task
 
-__all__ = ["links_beside", "read_urdf", "urdf_candidates"]
+__all__ = ["read_urdf", "urdf_candidates"]
 
 _KINDS: dict[str, JointKind] = {
     "revolute": "revolute",
@@ -64,7 +70,10 @@ def read_urdf(
     build = _builder(tree, name, task)
     chain, remarks = choose_chain(tree, build, base, tip)
     notes += [*remarks, *check_limits(chain, tree.place), *_scale_notes(chain)]
-    return Robot(chain.name, str(path), chain, urdf=path, notes=tuple(notes))
+    beside = chains_beside(tree, build, chain)
+    return Robot(
+        chain.name, str(path), chain, urdf=path, notes=tuple(notes), beside=beside
+    )
 
 
 def urdf_candidates(
@@ -79,20 +88,6 @@ def urdf_candidates(
     base = base or tree.choose_base(None, [])
     tree.check_link(base)
     return candidates(tree, _builder(tree, name, None), base, most)
-
-
-def links_beside(path: Path, tip: str) -> list[str]:
-    """The other links that fixed joints hold to the link ``tip`` of a URDF.
-
-    Raises:
-        InvalidRobotError: the file is not a URDF, or has no such link.
-    """
-    tree, _ = _opened(path)
-    tree.check_link(tip)
-    top = tip
-    while top in tree.above and tree.above[top].kind == "fixed":
-        top = tree.above[top].parent
-    return [link for link in tree.body(top) if link != tip]
 
 
 def _opened(path: Path) -> tuple[Tree[JointElement], str]:

@@ -12,7 +12,7 @@ import pytest
 
 _KEPT = {
     *("mujoco", "compiler", "default", "joint", "freejoint", "worldbody", "body"),
-    *("frame",),
+    *("frame", "site"),
 }
 
 
@@ -54,15 +54,16 @@ class Peer:
     def tip(
         self, base: str, tip: str, joints: Sequence[str], values: Sequence[float]
     ) -> np.ndarray:
-        """The frame of a body in that of another, at values of joints."""
+        """The frame of a site or a body in that of another, at values of joints."""
         self.data.qpos[:] = self.model.qpos0
         for name, value in zip(joints, values, strict=True):
             self.data.qpos[self.model.joint(name).qposadr[0]] = value
         self._mujoco.mj_kinematics(self.model, self.data)
         return np.linalg.inv(self._frame(base)) @ self._frame(tip)
 
-    def _frame(self, body: str) -> np.ndarray:
-        placed = self.data.body(body)
+    def _frame(self, name: str) -> np.ndarray:
+        sites = {self.model.site(k).name for k in range(self.model.nsite)}
+        placed = self.data.site(name) if name in sites else self.data.body(name)
         frame = np.eye(4)
         frame[:3, :3] = placed.xmat.reshape(3, 3)
         frame[:3, 3] = placed.xpos

@@ -1,5 +1,7 @@
 from __future__ import annotations
 
+import subprocess
+import sys
 from fractions import Fraction
 from pathlib import Path
 
@@ -7,7 +9,8 @@ import numpy as np
 import pytest
 from mjcf_arms import Peer, packaged_models
 
-from cuspaudit.errors import InvalidRobotError
+from cuspaudit.api.calls import audit, load
+from cuspaudit.errors import AssumptionError, InvalidRobotError
 from cuspaudit.robot.chain import Angle
 from cuspaudit.robot.formats.mjcf.read import mjcf_candidates, read_mjcf
 from cuspaudit.robot.formats.read_robot import chains_in, read_robot
@@ -18,7 +21,7 @@ ARM = """\
   <compiler angle="degree" eulerseq="zYx"/>
   <default>
     <joint axis="0 1 0" range="-90 90"/>
-    <default class="roll"><joint axis="1 0 0"/>
+    <default class="roll"><joint axis="1 0 0"/><site quat="1 2 0 1"/>
       <default class="slider">
         <joint type="slide" range="0 0.5" limited="false"/>
       </default>
@@ -38,6 +41,14 @@ ARM = """\
                 <joint name="j5" limited="true" range="-20 400"/>
                 <body name="five" pos="0 0.1 0.1" quat="0.707107 0 -0.707107 0">
                   <joint name="j6"/>
+                  <frame euler="0 40 0"><site name="turned" pos="0.1 0.2 0.3"/></frame>
+                  <site name="aimed" zaxis="-0.3 0.2 -0.5" pos="0 0.1 0"/>
+                  <site name="skew" xyaxes="1 2 0.5 -0.4 1 3"/>
+                  <site name="upright" xyaxes="0 0 -3 1 2 5"/>
+                  <site name="under" zaxis="0 0 -2"/>
+                  <site name="rod" type="capsule" size="0.1" class="main"
+                    fromto="0.1 0 0 0.3 -0.2 0.5"/>
+                  <site name="five"/>
                   <body name="tool tip" pos="0 0 0.1"/>
                 </body>
               </body>
@@ -72,6 +83,70 @@ def test_every_way_to_place_a_body_is_mujoco_s(tmp_path: Path, text: str) -> Non
         names = [joint.name for joint in chain.joints]
         expected = peer.tip("world", "tool tip", names, values)
         assert np.abs(frames(chain, values)[-1] - expected).max() < 1e-12
+
+
+SITES = ["turned", "aimed", "skew", "upright", "under", "rod"]
+
+
+@pytest.mark.parametrize("site", SITES)
+@pytest.mark.parametrize("text", [ARM, RADIANS, EXTRINSIC])
+def test_a_site_ends_a_chain_where_mujoco_has_it(
+    tmp_path: Path, text: str, site: str
+) -> None:
+    """Any axes, rods, classes and frames around a site give MuJoCo's own frame."""
+    path = write(tmp_path, text)
+    chain = read_robot(path, tip=site).chain
+    names = [joint.name for joint in chain.joints]
+    peer = Peer(path)
+    for values in np.random.default_rng(1).uniform(-3, 3, (100, 6)):
+        expected = peer.tip("world", site, names, values)
+        assert np.abs(frames(chain, values)[-1] - expected).max() < 1e-12
+
+
+def test_sites_are_no_ends_of_their_own(tmp_path: Path) -> None:
+    """They are taken by name alone; one with the name of a body by that of both."""
+    path = write(tmp_path, ARM)
+    assert [one.tip for one in chains_in(path)] == ["tool tip"]
+    robot = read_robot(path)
+    assert {*SITES, "five/five"} < {chain.tip for chain in robot.beside}
+    turn = read_robot(path, tip="five/five").chain.tool
+    assert len(turn) == 3  # that of its class alone
+
+
+SHORT = """\
+<mujoco><worldbody><body name="a"><joint name="j1" axis="0 0 1"/>
+<body name="b" pos="0.1 0 0"><joint name="j2" axis="0 1 0"/>
+<body name="hand" pos="0 0 0.7"><joint name="j3" axis="0 1 0"/>
+<site name="grip" pos="0 0 0.5"/></body></body></body></worldbody></mujoco>
+"""
+
+
+def test_a_site_is_proposed_where_the_body_is_no_tip(tmp_path: Path) -> None:
+    """The body lies on the last axis: the site is named, and following it decides."""
+    robot = load(write(tmp_path, SHORT))
+    assert any("--tip grip" in note for note in robot.notes)
+    with pytest.raises(AssumptionError, match="give --tip grip"):
+        audit(robot)
+    assert audit(load(write(tmp_path, SHORT), tip="grip")).verdict == "noncuspidal"
+
+
+@pytest.mark.parametrize(
+    ("change", "said"),
+    [
+        ('zaxis="0 0 0"', "zaxis: the zero vector"),
+        ('xyaxes="1 0 0 2 0 0"', "xyaxes: two axes along one line"),
+        ('xyaxes="1 0 0 0 0 0"', "xyaxes: the zero vector"),
+        ('fromto="1 2 3 1 2 3"', "fromto: the zero vector"),
+        ('name="turned"', "its name is already used"),
+    ],
+)
+def test_sites_without_a_frame_are_refused(
+    tmp_path: Path, change: str, said: str
+) -> None:
+    """A direction that is none is said with the site's name and line."""
+    old = 'zaxis="0 0 -2"' if "name" not in change else 'name="under" zaxis="0 0 -2"'
+    with pytest.raises(InvalidRobotError, match=f"site .* {said}"):
+        read_robot(write(tmp_path, ARM.replace(old, change)), tip="tool tip")
 
 
 def test_limits_follow_classes_and_units(tmp_path: Path) -> None:
@@ -185,3 +260,23 @@ def test_the_root_element_chooses_between_urdf_and_mjcf(tmp_path: Path) -> None:
         read_robot(urdf)
     assert read_robot(urdf.rename(tmp_path / "other.mjcf")).chain.tip == "tool tip"
     assert [one.tip for one in mjcf_candidates(path)] == ["tool tip"]
+
+
+def test_an_include_is_read_once_mujoco_has_saved_it(tmp_path: Path) -> None:
+    """The message names a command; run as it stands, it leaves a file that is read."""
+    pytest.importorskip("mujoco")
+    inner = "<mujoco>" + ARM.partition("<worldbody>")[2].partition("</worldbody>")[0]
+    (tmp_path / "inner.xml").write_text(inner + "</mujoco>")
+    head, tail = ARM.partition("<body")[0], ARM.partition("</worldbody>")[2]
+    include = '<include file="inner.xml"/>'
+    tail = f"</worldbody>{tail}".replace(
+        "</mujoco>", '<compiler boundmass="1" boundinertia="1"/></mujoco>'
+    )
+    path = write(tmp_path, head + include + tail)
+    with pytest.raises(InvalidRobotError) as refused:
+        read_robot(path)
+    program = str(refused.value).partition('python -c "')[2].partition('"')[0]
+    command = [sys.executable, "-c", program]
+    subprocess.run(command, cwd=tmp_path, check=True, timeout=60)
+    chain = read_robot(tmp_path / "whole.xml").chain
+    assert chain.kinds == read_robot(write(tmp_path, ARM)).chain.kinds
