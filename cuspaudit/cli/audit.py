@@ -13,39 +13,24 @@ from cuspaudit.cli.exit_codes import OF_VERDICT
 from cuspaudit.cli.mechanisms import audit_mechanism, mechanism_named, no_arm
 from cuspaudit.cli.opening import open_named, package_folders, xacro_arguments
 from cuspaudit.cli.options import (
-    AngleUnit,
-    Base,
-    Convention,
-    LengthUnit,
-    Lock,
-    PackageFolder,
     RobotEngine,
     RobotEngineName,
     RobotName,
     Seed,
     Snap,
-    TaskName,
     Timeout,
-    Tip,
-    XacroArguments,
 )
+from cuspaudit.cli.robot_options import RobotOptions, with_robot_options
 from cuspaudit.cli.running import run_audit
 from cuspaudit.cli.summary import print_summary
 
 __all__ = ["audit"]
 
 
+@with_robot_options
 def audit(
     robot: RobotName,
-    base: Base = None,
-    tip: Tip = None,
-    task: TaskName = None,
-    lock: Lock = None,
-    convention: Convention = None,
-    angle_unit: AngleUnit = None,
-    length_unit: LengthUnit = None,
-    package: PackageFolder = None,
-    xacro_arg: XacroArguments = None,
+    reading: RobotOptions,
     json_file: Annotated[
         str | None,
         typer.Option("--json", metavar="FILE", help="Write the audit; - is stdout."),
@@ -98,30 +83,21 @@ def audit(
     if mechanism is not None:
         no_arm(
             "audit",
-            {"--base": base, "--tip": tip, "--task": task, "--lock": lock}
-            | {"--convention": convention, "--angle-unit": angle_unit}
-            | {"--length-unit": length_unit, "--package": package}
-            | {"--xacro-arg": xacro_arg, "--certificate": certificate, "--all": every},
+            reading.by_flag() | {"--certificate": certificate, "--all": every},
         )
         audit_mechanism(mechanism, json_file, html, seed, timeout, exit_zero)
     if every:
         check_alone(
-            {"--tip": tip, "--task": task, "--lock": lock}
-            | {"--convention": convention, "--angle-unit": angle_unit}
-            | {"--length-unit": length_unit}
+            reading.by_flag("base", "package", "xacro_arg")
             | {"--html": html, "--certificate": certificate}
         )
         audit_chains(
-            *(robot, base, json_file, engine.value, snap, seed, timeout),
-            packages=package_folders(package),
-            xacro_args=xacro_arguments(xacro_arg),
+            *(robot, reading.base, json_file, engine.value, snap, seed, timeout),
+            packages=package_folders(reading.package),
+            xacro_args=xacro_arguments(reading.xacro_arg),
         )
         return
-    opened = open_named(
-        *(robot, base, tip, task, lock, convention, angle_unit, length_unit),
-        packages=package,
-        xacro_args=xacro_arg,
-    )
+    opened = open_named(robot, reading)
     result = run_audit(opened, seed, timeout, snap, engine.value)
     proof = certificate_text(result, within)
     written = str(certificate) if certificate and proof else None

@@ -12,18 +12,10 @@ import typer
 from cuspaudit.cli.chains import print_chains
 from cuspaudit.cli.opening import open_named, package_folders, xacro_arguments
 from cuspaudit.cli.options import (
-    AngleUnit,
-    Base,
-    Convention,
-    LengthUnit,
-    Lock,
-    PackageFolder,
     Seed,
     Snap,
-    TaskName,
-    Tip,
-    XacroArguments,
 )
+from cuspaudit.cli.robot_options import RobotOptions, with_robot_options
 from cuspaudit.cli.summary import print_import
 from cuspaudit.errors import InvalidInputError
 
@@ -43,17 +35,11 @@ class Form(StrEnum):
     msolve = "msolve"
 
 
+@with_robot_options
 def import_(
+    *,
     robot: Annotated[str | None, typer.Argument(metavar="ROBOT")] = None,
-    base: Base = None,
-    tip: Tip = None,
-    task: TaskName = None,
-    lock: Lock = None,
-    convention: Convention = None,
-    angle_unit: AngleUnit = None,
-    length_unit: LengthUnit = None,
-    package: PackageFolder = None,
-    xacro_arg: XacroArguments = None,
+    reading: RobotOptions,
     to: Annotated[
         Form | None,
         typer.Option(
@@ -87,27 +73,15 @@ def import_(
     from cuspaudit.robot.snap_policy import policy_from_name
 
     chains = []
-    if not (tip or to):
-        given = package_folders(package), xacro_arguments(xacro_arg)
-        chains = serial_chains(robot, base, *given)
+    if not (reading.tip or to):
+        given = package_folders(reading.package), xacro_arguments(reading.xacro_arg)
+        chains = serial_chains(robot, reading.base, *given)
     if len(chains) > 1:
         records = [chain.record() for chain in chains]
         typer.echo(json.dumps(records, indent=1)) if as_json else print_chains(records)
         return
     square = to in (Form.poly, Form.msolve)
-    opened = open_named(
-        robot,
-        base,
-        tip,
-        task,
-        lock,
-        convention,
-        angle_unit,
-        length_unit,
-        packages=package,
-        xacro_args=xacro_arg,
-        square=square,
-    )
+    opened = open_named(robot, reading, square=square)
     policy = policy_from_name(snap)
     if to:
         typer.echo(_written(opened, to, policy, seed), nl=False)

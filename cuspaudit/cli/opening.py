@@ -7,38 +7,18 @@ from typing import TYPE_CHECKING
 from cuspaudit.errors import InvalidInputError
 
 if TYPE_CHECKING:
+    from cuspaudit.cli.robot_options import RobotOptions
     from cuspaudit.robot.robot import Robot
 
 __all__ = ["open_named", "package_folders", "xacro_arguments"]
 
 
-def open_named(
-    name: str,
-    base: str | None,
-    tip: str | None,
-    task: str | None,
-    lock: list[str] | None,
-    convention: str | None,
-    angle_unit: str | None,
-    length_unit: str | None,
-    *,
-    packages: list[str] | None = None,
-    xacro_args: list[str] | None = None,
-    square: bool = True,
-) -> Robot:
+def open_named(name: str, reading: RobotOptions, *, square: bool = True) -> Robot:
     """The robot a user named.
 
     Args:
         name: a file, or a name of the library.
-        base: base link of a URDF.
-        tip: tip link of a URDF.
-        task: a name in `robot.task.DIMENSIONS`.
-        lock: entries JOINT=VALUE.
-        convention: D-H convention of a table that does not say.
-        angle_unit: unit of bare angles in a D-H table.
-        length_unit: unit of lengths in a D-H table.
-        packages: entries NAME=DIR, for a xacro file.
-        xacro_args: entries NAME=VALUE, for a xacro file.
+        reading: how its file is to be read.
         square: whether the task must fit the joints that are left.
 
     Raises:
@@ -48,15 +28,15 @@ def open_named(
 
     return open_robot(
         name,
-        base=base,
-        tip=tip,
-        task=task,
-        lock=_pairs(lock, "--lock", "JOINT=VALUE", "joint_3=pi/4"),
-        convention=convention,
-        angle_unit=angle_unit,
-        length_unit=length_unit,
-        packages=package_folders(packages),
-        xacro_args=xacro_arguments(xacro_args),
+        base=reading.base,
+        tip=reading.tip,
+        task=reading.task,
+        lock=_pairs(reading.lock, "--lock", "JOINT=VALUE", "joint_3=pi/4"),
+        convention=reading.convention,
+        angle_unit=reading.angle_unit,
+        length_unit=reading.length_unit,
+        packages=package_folders(reading.package),
+        xacro_args=xacro_arguments(reading.xacro_arg),
         square=square,
     )
 

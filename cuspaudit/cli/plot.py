@@ -12,18 +12,10 @@ from cuspaudit.cli.families import Audits, Colour, Fix, Plane, X, Y, plot_family
 from cuspaudit.cli.mechanisms import mechanism_named, no_arm, plot_mechanism
 from cuspaudit.cli.opening import open_named
 from cuspaudit.cli.options import (
-    AngleUnit,
-    Base,
-    Convention,
-    LengthUnit,
-    Lock,
-    PackageFolder,
     RobotName,
     Snap,
-    TaskName,
-    Tip,
-    XacroArguments,
 )
+from cuspaudit.cli.robot_options import RobotOptions, with_robot_options
 from cuspaudit.cli.running import STEPS, progress_bar
 from cuspaudit.errors import InvalidInputError
 
@@ -40,20 +32,13 @@ At = Annotated[
 ]
 
 
+@with_robot_options
 def plot(
     robot: RobotName,
     output: Annotated[
         Path, typer.Option("-o", "--output", help="A .png, .svg or .html file.")
     ],
-    base: Base = None,
-    tip: Tip = None,
-    task: TaskName = None,
-    lock: Lock = None,
-    convention: Convention = None,
-    angle_unit: AngleUnit = None,
-    length_unit: LengthUnit = None,
-    package: PackageFolder = None,
-    xacro_arg: XacroArguments = None,
+    reading: RobotOptions,
     snap: Snap = "default",
     at: At = None,
     x: X = None,
@@ -75,18 +60,11 @@ def plot(
     elif (mechanism := mechanism_named(robot)) is not None:
         no_arm(
             "plot",
-            {"--base": base, "--tip": tip, "--task": task, "--lock": lock}
-            | {"--convention": convention, "--angle-unit": angle_unit}
-            | {"--length-unit": length_unit, "--package": package}
-            | {"--xacro-arg": xacro_arg},
+            reading.by_flag(),
         )
         plot_mechanism(mechanism, output)
     else:
-        opened = open_named(
-            *(robot, base, tip, task, lock, convention, angle_unit, length_unit),
-            packages=package,
-            xacro_args=xacro_arg,
-        )
+        opened = open_named(robot, reading)
         _plot_robot(opened, output, snap, at)
 
 

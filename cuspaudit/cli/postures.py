@@ -11,24 +11,18 @@ from rich.console import Console
 
 from cuspaudit.cli.opening import open_named
 from cuspaudit.cli.options import (
-    AngleUnit,
-    Base,
-    Convention,
-    LengthUnit,
-    Lock,
-    PackageFolder,
     RobotName,
     Seed,
     Snap,
-    TaskName,
-    Tip,
-    XacroArguments,
 )
+from cuspaudit.cli.robot_options import RobotOptions, with_robot_options
 
 __all__ = ["postures"]
 
 
+@with_robot_options
 def postures(
+    *,
     robot: RobotName,
     joints: Annotated[
         str | None,
@@ -46,15 +40,7 @@ def postures(
         str | None,
         typer.Option(metavar="R,P,Y", help="Its orientation, about fixed x, y, z."),
     ] = None,
-    base: Base = None,
-    tip: Tip = None,
-    task: TaskName = None,
-    lock: Lock = None,
-    convention: Convention = None,
-    angle_unit: AngleUnit = None,
-    length_unit: LengthUnit = None,
-    package: PackageFolder = None,
-    xacro_arg: XacroArguments = None,
+    reading: RobotOptions,
     json_file: Annotated[
         str | None,
         typer.Option("--json", metavar="FILE", help="Write the list; - is stdout."),
@@ -80,11 +66,7 @@ def postures(
         check_writable(html)
     if json_file not in (None, "-"):
         check_writable(Path(json_file or ""))
-    opened = open_named(
-        *(robot, base, tip, task, lock, convention, angle_unit, length_unit),
-        packages=package,
-        xacro_args=xacro_arg,
-    )
+    opened = open_named(robot, reading)
     arm = traced_arm(snapped(opened.chain, policy_from_name(snap))[0])
     pose = asked_pose(arm, joints, position, quaternion, rpy)
     found = list_postures(arm, pose, seed)

@@ -10,26 +10,20 @@ import typer
 
 from cuspaudit.cli.opening import open_named
 from cuspaudit.cli.options import (
-    AngleUnit,
-    Base,
-    Convention,
-    LengthUnit,
-    Lock,
-    PackageFolder,
     RobotName,
     Seed,
     Snap,
-    TaskName,
-    Tip,
-    XacroArguments,
 )
+from cuspaudit.cli.robot_options import RobotOptions, with_robot_options
 
 __all__ = ["same"]
 
 EXIT = {"same": 0, "different": 1, "open": 3}
 
 
+@with_robot_options
 def same(
+    *,
     robot: RobotName,
     first: Annotated[
         str,
@@ -41,15 +35,7 @@ def same(
     within_limits: Annotated[
         bool, typer.Option("--within-limits", help="Keep within the joint limits.")
     ] = False,
-    base: Base = None,
-    tip: Tip = None,
-    task: TaskName = None,
-    lock: Lock = None,
-    convention: Convention = None,
-    angle_unit: AngleUnit = None,
-    length_unit: LengthUnit = None,
-    package: PackageFolder = None,
-    xacro_arg: XacroArguments = None,
+    reading: RobotOptions,
     json_file: Annotated[
         str | None,
         typer.Option("--json", metavar="FILE", help="Write the answer; - is stdout."),
@@ -70,11 +56,7 @@ def same(
 
     if json_file not in (None, "-"):
         check_writable(Path(json_file or ""))
-    opened = open_named(
-        *(robot, base, tip, task, lock, convention, angle_unit, length_unit),
-        packages=package,
-        xacro_args=xacro_arg,
-    )
+    opened = open_named(robot, reading)
     arm = traced_arm(snapped(opened.chain, policy_from_name(snap))[0])
     ends = [
         joint_vector(text, opened.chain, option)

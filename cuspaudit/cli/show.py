@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -10,18 +11,10 @@ import typer
 
 from cuspaudit.cli.opening import open_named
 from cuspaudit.cli.options import (
-    AngleUnit,
-    Base,
-    Convention,
-    LengthUnit,
-    Lock,
-    PackageFolder,
     Seed,
     Snap,
-    TaskName,
-    Tip,
-    XacroArguments,
 )
+from cuspaudit.cli.robot_options import RobotOptions, with_robot_options
 from cuspaudit.cli.running import run_audit
 from cuspaudit.errors import InvalidInputError
 
@@ -31,19 +24,12 @@ __all__ = ["show"]
 READABLE = ("cuspaudit/audit/1", "cuspaudit/audit/2")
 
 
+@with_robot_options
 def show(
     source: Annotated[
         str, typer.Argument(metavar="ROBOT|AUDIT.json", help="A robot or an audit.")
     ],
-    base: Base = None,
-    tip: Tip = None,
-    task: TaskName = None,
-    lock: Lock = None,
-    convention: Convention = None,
-    angle_unit: AngleUnit = None,
-    length_unit: LengthUnit = None,
-    package: PackageFolder = None,
-    xacro_arg: XacroArguments = None,
+    reading: RobotOptions,
     html: Annotated[
         Path | None, typer.Option(help="Write one offline page instead of serving it.")
     ] = None,
@@ -64,17 +50,17 @@ def show(
     if html:
         check_writable(html)
     if source.endswith(".json") and (saved := _saved_audit(Path(source))) is not None:
-        source, base, tip = saved["file"], saved["base"], saved["tip"]
-        task, seed, snap = saved["task"], saved["seed"], saved["snap"]
-        lock = [f"{joint}={value}" for joint, value in saved["locked"].items()]
+        source, seed, snap = saved["file"], saved["seed"], saved["snap"]
         known = format_of(Path(source))
-        if known is None or known.chains is None:
-            base = tip = None
-    opened = open_named(
-        *(source, base, tip, task, lock, convention, angle_unit, length_unit),
-        packages=package,
-        xacro_args=xacro_arg,
-    )
+        is_tree = known is not None and known.chains is not None
+        reading = replace(
+            reading,
+            base=saved["base"] if is_tree else None,
+            tip=saved["tip"] if is_tree else None,
+            task=saved["task"],
+            lock=[f"{joint}={value}" for joint, value in saved["locked"].items()],
+        )
+    opened = open_named(source, reading)
     result = run_audit(opened, seed, None, snap)
     page = page_text(result.record(), result, certificate_text(result))
     if html:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -12,19 +13,11 @@ from rich.text import Text
 
 from cuspaudit.cli.opening import open_named
 from cuspaudit.cli.options import (
-    AngleUnit,
-    Base,
-    Convention,
-    LengthUnit,
-    Lock,
-    PackageFolder,
     RobotName,
     Seed,
     Snap,
-    TaskName,
-    Tip,
-    XacroArguments,
 )
+from cuspaudit.cli.robot_options import RobotOptions, with_robot_options
 from cuspaudit.cli.running import progress_bar
 
 __all__ = ["trace"]
@@ -39,6 +32,7 @@ _COLOUR = {
 _SHOWN = 64
 
 
+@with_robot_options
 def trace(
     robot: RobotName,
     path: Annotated[
@@ -49,15 +43,7 @@ def trace(
             "names), or JSON: one waypoint a row.",
         ),
     ],
-    base: Base = None,
-    tip: Tip = None,
-    task: TaskName = None,
-    lock: Lock = None,
-    convention: Convention = None,
-    angle_unit: AngleUnit = None,
-    length_unit: LengthUnit = None,
-    package: PackageFolder = None,
-    xacro_arg: XacroArguments = None,
+    reading: RobotOptions,
     closed: Annotated[
         bool, typer.Option("--closed", help="The path returns to its first waypoint.")
     ] = False,
@@ -103,14 +89,10 @@ def trace(
         files.append(Path(json_file or ""))
     for file in files:
         check_writable(file)
-    table_unit = angle_unit if uses(robot, "angle_unit") else None
-    opened = open_named(
-        *(robot, base, tip, task, lock, convention, table_unit, length_unit),
-        packages=package,
-        xacro_args=xacro_arg,
-    )
+    table_unit = reading.angle_unit if uses(robot, "angle_unit") else None
+    opened = open_named(robot, replace(reading, angle_unit=table_unit))
     arm = traced_arm(snapped(opened.chain, policy_from_name(snap))[0])
-    tool_path = read_path(path, arm, angle_unit_named(angle_unit))
+    tool_path = read_path(path, arm, angle_unit_named(reading.angle_unit))
     if closed:
         tool_path = closed_path(tool_path, arm)
     with progress_bar(STEPS) as step:
