@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from pathlib import Path
 from typing import Annotated
 
@@ -20,6 +19,7 @@ from cuspaudit.cli.options import (
     Snap,
     Timeout,
 )
+from cuspaudit.cli.outlet import JsonFile, check_outlets, write_json
 from cuspaudit.cli.robot_options import RobotOptions, with_robot_options
 from cuspaudit.cli.running import run_audit
 from cuspaudit.cli.summary import print_summary
@@ -31,10 +31,7 @@ __all__ = ["audit"]
 def audit(
     robot: RobotName,
     reading: RobotOptions,
-    json_file: Annotated[
-        str | None,
-        typer.Option("--json", metavar="FILE", help="Write the audit; - is stdout."),
-    ] = None,
+    json_file: JsonFile = None,
     html: Annotated[
         Path | None, typer.Option(help="Write an offline page with the animation.")
     ] = None,
@@ -72,13 +69,9 @@ def audit(
     from cuspaudit.auditing.certificates import certificate_text
     from cuspaudit.auditing.proof_record import proof_record
     from cuspaudit.runtime.waiting import waited
-    from cuspaudit.runtime.writing import check_writable, write_text
+    from cuspaudit.runtime.writing import write_text
 
-    files = [f for f in (html, certificate) if f is not None]
-    if json_file not in (None, "-"):
-        files.append(Path(json_file or ""))
-    for file in files:
-        check_writable(file)
+    check_outlets(json_file, html, certificate)
     mechanism = mechanism_named(robot)
     if mechanism is not None:
         no_arm(
@@ -114,11 +107,7 @@ def audit(
         inside = result.within is not None and result.within.witness is not None
         shown = certificate_text(result, within=True) if inside else proof
         write_text(html, page_text(record, result, shown))
-    if json_file == "-":
-        typer.echo(json.dumps(record, indent=1, allow_nan=False))
-    else:
-        if json_file:
-            write_text(Path(json_file), json.dumps(record, indent=1, allow_nan=False))
+    if write_json(json_file, record):
         kept = {"page": html, "certificate": written, "JSON": json_file}
         if certificate and not proof:
             kept["record of the run"] = str(certificate)

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Mapping, Sequence
-from pathlib import Path
 from typing import Any
 
 import typer
 
+from cuspaudit.cli.outlet import write_json
 from cuspaudit.errors import CuspauditError, InvalidInputError
 
 __all__ = ["audit_chains", "check_alone", "print_chains"]
@@ -66,10 +65,8 @@ def audit_chains(
     """
     from cuspaudit.cli.running import run_audit
     from cuspaudit.robot.library import open_robot, serial_chains
-    from cuspaudit.runtime.writing import write_text
 
     records: list[dict[str, Any]] = []
-    quiet = json_file == "-"
     for chain in serial_chains(robot, base, packages, xacro_args):
         record = {**chain.record(), "verdict": None, "audit": None, "error": None}
         records.append(record)
@@ -89,13 +86,9 @@ def audit_chains(
                 record |= {"audit": found, "verdict": found["verdict"]}
             except CuspauditError as error:
                 record["error"] = str(error)
-        if not quiet:
+        if json_file != "-":
             _print_row(record)
-    text = json.dumps(records, indent=1, allow_nan=False)
-    if quiet:
-        typer.echo(text)
-    elif json_file:
-        write_text(Path(json_file), text)
+    write_json(json_file, records)
 
 
 def _print_row(record: Mapping[str, Any]) -> None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -13,6 +12,7 @@ from rich.text import Text
 
 from cuspaudit.cli.exit_codes import OF_VERDICT
 from cuspaudit.cli.options import Engine, EngineName, Seed
+from cuspaudit.cli.outlet import JsonFile, check_outlets, write_json
 from cuspaudit.cli.running import progress_bar
 from cuspaudit.cli.summary import COLOUR
 from cuspaudit.errors import AssumptionError
@@ -36,10 +36,7 @@ def decide(
             r"map: \[x^3 + x*y, y].",
         ),
     ],
-    json_file: Annotated[
-        str | None,
-        typer.Option("--json", metavar="FILE", help="Write the run; - is stdout."),
-    ] = None,
+    json_file: JsonFile = None,
     engine: EngineName = Engine.auto,
     complete: Annotated[
         bool,
@@ -67,10 +64,8 @@ def decide(
     from cuspaudit.auditing.systems.file import read_system
     from cuspaudit.auditing.systems.report import decide_system
     from cuspaudit.runtime.waiting import waited
-    from cuspaudit.runtime.writing import check_writable, write_text
 
-    if json_file not in (None, "-"):
-        check_writable(Path(json_file or ""))
+    check_outlets(json_file)
     read = read_system(system)
     try:
         with progress_bar(STEPS) as step:
@@ -87,12 +82,7 @@ def decide(
         name = type(error).__name__
         raise AssumptionError(f"{system}: {name}: {error}") from error
     record["seconds"]["total"] = round(waited(), 4)
-    text = json.dumps(record, indent=1, allow_nan=False)
-    if json_file == "-":
-        typer.echo(text)
-    else:
-        if json_file:
-            write_text(Path(json_file), text)
+    if write_json(json_file, record):
         print_decision(record, json_file)
     raise typer.Exit(0 if exit_zero else OF_VERDICT[record["verdict"]])
 

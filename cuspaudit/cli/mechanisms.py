@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -11,6 +10,7 @@ import typer
 
 from cuspaudit.cli.decide import STEPS, print_decision
 from cuspaudit.cli.exit_codes import OF_VERDICT
+from cuspaudit.cli.outlet import write_json
 from cuspaudit.cli.running import progress_bar
 from cuspaudit.errors import InvalidInputError
 
@@ -76,14 +76,9 @@ def audit_mechanism(
         record = decide_system(
             system, seed=max(seed, 1), timeout=timeout or _SECONDS, progress=step
         )
-    text = json.dumps(record, indent=1, allow_nan=False)
     if html:
         write_text(html, mechanism_page(page_of(system, record)))
-    if json_file == "-":
-        typer.echo(text)
-    else:
-        if json_file:
-            write_text(Path(json_file), text)
+    if write_json(json_file, record):
         print_decision(record, json_file)
     raise typer.Exit(0 if exit_zero else OF_VERDICT[record["verdict"]])
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -15,6 +14,7 @@ from cuspaudit.cli.options import (
     Seed,
     Snap,
 )
+from cuspaudit.cli.outlet import JsonFile, check_outlets, write_json
 from cuspaudit.cli.robot_options import RobotOptions, with_robot_options
 
 __all__ = ["postures"]
@@ -41,10 +41,7 @@ def postures(
         typer.Option(metavar="R,P,Y", help="Its orientation, about fixed x, y, z."),
     ] = None,
     reading: RobotOptions,
-    json_file: Annotated[
-        str | None,
-        typer.Option("--json", metavar="FILE", help="Write the list; - is stdout."),
-    ] = None,
+    json_file: JsonFile = None,
     html: Annotated[
         Path | None, typer.Option(help="Write an offline page of them side by side.")
     ] = None,
@@ -57,15 +54,12 @@ def postures(
     """
     from cuspaudit.robot.snap_policy import policy_from_name
     from cuspaudit.robot.snapping import snap as snapped
-    from cuspaudit.runtime.writing import check_writable, write_text
+    from cuspaudit.runtime.writing import write_text
     from cuspaudit.toolpath.asked import asked_pose
     from cuspaudit.toolpath.postures import list_postures, postures_record
     from cuspaudit.toolpath.traced_arm import traced_arm
 
-    if html:
-        check_writable(html)
-    if json_file not in (None, "-"):
-        check_writable(Path(json_file or ""))
+    check_outlets(json_file, html)
     opened = open_named(robot, reading)
     arm = traced_arm(snapped(opened.chain, policy_from_name(snap))[0])
     pose = asked_pose(arm, joints, position, quaternion, rpy)
@@ -76,12 +70,7 @@ def postures(
         from cuspaudit.viz.tool_path import render_postures
 
         write_text(html, render_postures(record, postures_drawing(found)))
-    text = json.dumps(record, indent=1, allow_nan=False)
-    if json_file == "-":
-        typer.echo(text)
-    else:
-        if json_file:
-            write_text(Path(json_file), text)
+    if write_json(json_file, record):
         _print(record)
     raise typer.Exit(0 if found.complete else 3)
 

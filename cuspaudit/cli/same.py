@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import json
-from pathlib import Path
 from typing import Annotated
 
 import typer
@@ -14,6 +12,7 @@ from cuspaudit.cli.options import (
     Seed,
     Snap,
 )
+from cuspaudit.cli.outlet import JsonFile, check_outlets, write_json
 from cuspaudit.cli.robot_options import RobotOptions, with_robot_options
 
 __all__ = ["same"]
@@ -36,10 +35,7 @@ def same(
         bool, typer.Option("--within-limits", help="Keep within the joint limits.")
     ] = False,
     reading: RobotOptions,
-    json_file: Annotated[
-        str | None,
-        typer.Option("--json", metavar="FILE", help="Write the answer; - is stdout."),
-    ] = None,
+    json_file: JsonFile = None,
     snap: Snap = "default",
     seed: Seed = 0,
 ) -> None:
@@ -49,13 +45,11 @@ def same(
     """
     from cuspaudit.robot.snap_policy import policy_from_name
     from cuspaudit.robot.snapping import snap as snapped
-    from cuspaudit.runtime.writing import check_writable, write_text
     from cuspaudit.toolpath.asked import joint_vector
     from cuspaudit.toolpath.same_aspect import connection_record, same_aspect
     from cuspaudit.toolpath.traced_arm import traced_arm
 
-    if json_file not in (None, "-"):
-        check_writable(Path(json_file or ""))
+    check_outlets(json_file)
     opened = open_named(robot, reading)
     arm = traced_arm(snapped(opened.chain, policy_from_name(snap))[0])
     ends = [
@@ -64,12 +58,7 @@ def same(
     ]
     found = same_aspect(arm, ends[0], ends[1], within_limits, seed)
     record = connection_record(found, opened.name, opened.file)
-    text = json.dumps(record, indent=1, allow_nan=False)
-    if json_file == "-":
-        typer.echo(text)
-    else:
-        if json_file:
-            write_text(Path(json_file), text)
+    if write_json(json_file, record):
         typer.echo(f"{found.answer}: {found.why}")
         if found.path is not None:
             typer.echo(f"path of {len(found.path)} points, with --json")

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from dataclasses import replace
 from pathlib import Path
 from typing import Annotated, Any
@@ -17,6 +16,7 @@ from cuspaudit.cli.options import (
     Seed,
     Snap,
 )
+from cuspaudit.cli.outlet import JsonFile, check_outlets, write_json
 from cuspaudit.cli.robot_options import RobotOptions, with_robot_options
 from cuspaudit.cli.running import progress_bar
 
@@ -53,10 +53,7 @@ def trace(
     no_limits: Annotated[
         bool, typer.Option("--no-limits", help="Leave the joint limits out.")
     ] = False,
-    json_file: Annotated[
-        str | None,
-        typer.Option("--json", metavar="FILE", help="Write the trace; - is stdout."),
-    ] = None,
+    json_file: JsonFile = None,
     html: Annotated[
         Path | None, typer.Option(help="Write an offline page with the animation.")
     ] = None,
@@ -77,18 +74,14 @@ def trace(
     from cuspaudit.robot.library import uses
     from cuspaudit.robot.snap_policy import policy_from_name
     from cuspaudit.robot.snapping import snap as snapped
-    from cuspaudit.runtime.writing import check_writable, write_text
+    from cuspaudit.runtime.writing import write_text
     from cuspaudit.toolpath.reading import angle_unit_named, closed_path, read_path
     from cuspaudit.toolpath.record import exit_code, trace_record
     from cuspaudit.toolpath.run_certificate import run_certificate
     from cuspaudit.toolpath.trace import trace_path
     from cuspaudit.toolpath.traced_arm import traced_arm
 
-    files = [f for f in (html, certificate) if f is not None]
-    if json_file not in (None, "-"):
-        files.append(Path(json_file or ""))
-    for file in files:
-        check_writable(file)
+    check_outlets(json_file, html, certificate)
     table_unit = reading.angle_unit if uses(robot, "angle_unit") else None
     opened = open_named(robot, replace(reading, angle_unit=table_unit))
     arm = traced_arm(snapped(opened.chain, policy_from_name(snap))[0])
@@ -105,12 +98,7 @@ def trace(
         from cuspaudit.viz.tool_path import render_trace
 
         write_text(html, render_trace(record, trace_drawing(found)))
-    text = json.dumps(record, indent=1, allow_nan=False)
-    if json_file == "-":
-        typer.echo(text)
-    else:
-        if json_file:
-            write_text(Path(json_file), text)
+    if write_json(json_file, record):
         _print(record)
     raise typer.Exit(exit_code(found))
 
