@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from cuspaudit.auditing.witness import Witness
     from cuspaudit.cuspidality.pair_decision import PairDecision
     from cuspaudit.cuspidality.surface_decision import SurfaceDecision
+    from cuspaudit.cuspidality.tile_decision import TileDecision
     from cuspaudit.kinematics.exact_model import ExactModel
     from cuspaudit.kinematics.theorems.theorem import Reduction
 
@@ -72,11 +73,12 @@ class Answer:
         why: one sentence.
         rests_on: what the verdict rests on.
         engine: the way that gave the verdict, or a couple without a certificate:
-            "roadmap", "routing", "pairs", "search", "cusp" or "pigeon-hole"; None for
-            a theorem alone, and where no way came so far.
+            "roadmap", "routing", "pairs", "tiles", "search", "cusp" or "pigeon-hole";
+            None for a theorem alone, and where no way came so far.
         reduction: the theorem that was applied, if any.
         decision: the run of Algorithm 1, if there was one.
         by_pairs: the decision by pairs of postures, if that was made instead.
+        by_tiles: the decision by tiles of pairs, where the verdict alone was asked for.
         witness: the proved path, where a way gave one.
         aspects: of the arm; None when not computed.
         postures: the largest number of postures of a regular pose; None likewise.
@@ -97,6 +99,7 @@ class Answer:
     reduction: Reduction | None = None
     decision: SurfaceDecision | None = None
     by_pairs: PairDecision | None = None
+    by_tiles: TileDecision | None = None
     witness: Witness | None = None
     aspects: Count | None = None
     postures: Count | None = None
@@ -111,7 +114,9 @@ class Answer:
     @property
     def is_exact_run(self) -> bool:
         """Whether Algorithm 1 or the pairs of postures decided, completely."""
-        return self.decision is not None or self.by_pairs is not None
+        return any(
+            run is not None for run in (self.decision, self.by_pairs, self.by_tiles)
+        )
 
     @property
     def is_settled(self) -> bool:

@@ -26,6 +26,8 @@ class Case:
         engine: the route to connectivity, "auto", "roadmap" or "routing"; or "pairs".
         poses: the most random poses that a search tries.
         certify: whether a CUSPIDAL of an exact run needs a proved path as well.
+        verdict_alone: whether no numbers of cusps, nodes and postures are asked for, no
+            couple and no sample values.
         so_far: what the ways tried before came to; None when none had an answer.
     """
 
@@ -34,4 +36,5 @@ class Case:
     engine: str = "auto"
     poses: int = MOST_POSES
     certify: bool = True
+    verdict_alone: bool = False
     so_far: Answer | None = None

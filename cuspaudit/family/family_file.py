@@ -37,6 +37,7 @@ from cuspaudit.robot.tables import Table, read_mapping, table_from_mapping
 __all__ = ["RECORDED", "read_family"]
 
 RECORDED = (*COUNTS, "clearance", "within_limits")
+_NAMED = ("verdict", *RECORDED)
 _RESERVED = {
     *WORDS,
     *RECORDED,
@@ -76,8 +77,9 @@ def read_family(path: Path) -> Family:
     known = {p.name for p in parameters} | set(derived)
     cells = _cells(table, known, place)
     conditions = _conditions(entries.get("constraints"), known, place.at("constraints"))
-    record = _listed(entries.get("record"), RECORDED, place.at("record"))
+    record = _listed(entries.get("record"), _NAMED, place.at("record"))
     wanted = COUNTS if record is None else record
+    wanted = tuple(name for name in wanted if name != "verdict")
     adaptive = _adaptive(entries.get("adaptive"), parameters, place.at("adaptive"))
     if adaptive is not None:
         times = 2**adaptive.levels

@@ -15,6 +15,7 @@ from importlib import import_module
 from cuspaudit.auditing.answer import Answer
 from cuspaudit.auditing.case import Case
 from cuspaudit.auditing.deciders.by_theorem import by_theorem
+from cuspaudit.auditing.deciders.by_tiles import by_tiles
 from cuspaudit.auditing.deciders.certify import by_couple
 from cuspaudit.auditing.deciders.three_joints import by_all_pairs, by_sample_values
 from cuspaudit.runtime.clock import Clock
@@ -51,6 +52,7 @@ def _when_open(file: str, name: str) -> Callable[[Case, Clock], Answer | None]:
 _BY_SEARCH = Decider("search", _when_open("by_search", "by_search"))
 
 EXACT = (
+    Decider("decide", by_tiles),
     Decider("decide", by_sample_values),
     Decider("decide", by_all_pairs),
     Decider("decide", by_theorem),

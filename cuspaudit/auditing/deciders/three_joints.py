@@ -41,6 +41,8 @@ def by_sample_values(case: Case, clock: Clock) -> Answer | None:
     """
     if case.model.chain.task != "position" or case.engine == "pairs":
         return None
+    if case.so_far is not None and case.so_far.is_settled:
+        return None
     try:
         found, decision = _sampled(case.model, clock)
     except (UnableError, RetryableError) as error:
