@@ -17,10 +17,12 @@ from cuspaudit.auditing.proof_record import proof_record
 from cuspaudit.count import Count
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.robot.frames import jacobian
+from cuspaudit.robot.virtual_joint import without_virtual_joint
 from cuspaudit.runtime.writing import write_text
 
 if TYPE_CHECKING:
     from cuspaudit.auditing.record import Audit as FinishedAudit
+    from cuspaudit.auditing.witness import Witness as FoundWitness
     from cuspaudit.robot.chain import Chain
     from cuspaudit.robot.robot import Robot
 
@@ -85,11 +87,13 @@ class WithinLimits:
         verdict: within them.
         why: one sentence.
         aspects: components of the nonsingular postures within limits, if counted.
+        witness: a path that stays inside, where it proves a cuspidal verdict.
     """
 
     verdict: Verdict
     why: str
     aspects: Count | None
+    witness: Witness | None = None
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -132,30 +136,19 @@ class Witness:
         return f"<Witness: {len(self.path)} way points, clearance {self.clearance}>"
 
 
-class Audit:
-    """What an audit found.
+class Decided:
+    """What an audit and a run of Algorithm 1 have in common.
 
     ``verdict`` compares equal to its word and has no truth value.
     """
 
-    def __init__(self, found: FinishedAudit) -> None:
-        self._found = found
-        self._record = found.record()
-
-    @property
-    def robot(self) -> Robot:
-        """The robot, as it was loaded."""
-        return self._found.robot
+    def __init__(self, record: dict[str, Any]) -> None:
+        self._record = record
 
     @property
     def verdict(self) -> Verdict:
-        """``cuspidal``, ``noncuspidal`` or ``undecided``; of the snapped model."""
-        return self._found.verdict
-
-    @property
-    def literal(self) -> Verdict:
-        """The verdict for the numbers exactly as the file has them."""
-        return self._found.literal
+        """``cuspidal``, ``noncuspidal`` or ``undecided``; of an arm's snapped model."""
+        return Verdict(self._record["verdict"])
 
     @property
     def why(self) -> str:
@@ -165,11 +158,17 @@ class Audit:
     @property
     def proof(self) -> Proof:
         """What the verdict rests on."""
-        return _proof(self._record)
+        proof = self._record["proof"]
+        return Proof(
+            proof["kind"], proof["engine"], proof["reduction"], tuple(proof["rests_on"])
+        )
 
     @property
     def aspects(self) -> Count | None:
-        """How many components det J != 0 has, and whether that is proved."""
+        """How many components det J != 0 has, and whether that is proved.
+
+        Of a system, those of V - {Delta = 0}, where they were all found.
+        """
         return _count(self._record["aspects"], "count")
 
     @property
@@ -177,16 +176,36 @@ class Audit:
         """The largest number of postures of one pose, and whether that is proved."""
         return _count(self._record["postures"], "max")
 
+    def to_dict(self) -> dict[str, Any]:
+        """All that was found as JSON has it, schema ``cuspaudit/audit/2``.
+
+        Of a system its ``robot`` is null.
+        """
+        return _copy(self._record)
+
+
+class Audit(Decided):
+    """What an audit found."""
+
+    def __init__(self, found: FinishedAudit) -> None:
+        super().__init__(found.record())
+        self._found = found
+
+    @property
+    def robot(self) -> Robot:
+        """The robot, as it was loaded."""
+        return self._found.robot
+
+    @property
+    def literal(self) -> Verdict:
+        """The verdict for the numbers exactly as the file has them."""
+        return self._found.literal
+
     @property
     def witness(self) -> Witness | None:
         """The path that proves a cuspidal verdict, where there is one."""
-        witness = self._found.witness
-        if witness is None:
-            return None
-        chain = self._found.shown_chain
-        path = witness.path[:, : len(chain.joints)].copy()
-        path.setflags(write=False)
-        return Witness(path, witness.sign, witness.clearance, chain)
+        found = self._found
+        return _witness(found.witness, found.shown_chain)
 
     @property
     def margin(self) -> float | None:
@@ -200,7 +219,15 @@ class Audit:
         if found is None:
             return None
         aspects = _count(found["aspects"], "count")
-        return WithinLimits(Verdict(found["verdict"]), found["why"], aspects)
+        within = self._found.within
+        inside = None if within is None else within.witness
+        chain = self.robot.chain if inside is None else inside.chain
+        return WithinLimits(
+            Verdict(found["verdict"]),
+            found["why"],
+            aspects,
+            _witness(inside, without_virtual_joint(chain)),
+        )
 
     @property
     def structures(self) -> tuple[Structure, ...]:
@@ -213,10 +240,6 @@ class Audit:
             )
             for entry in self._record["structures"] or ()
         )
-
-    def to_dict(self) -> dict[str, Any]:
-        """The audit as JSON has it, schema ``cuspaudit/audit/2``."""
-        return _copy(self._record)
 
     def save_html(self, file: str | os.PathLike[str]) -> None:
         """Write the offline page: the path or the postures, moving, and the proof.
@@ -247,36 +270,8 @@ class Audit:
         return f"<Audit of {self.robot.name}: {self.verdict.value}{more}>"
 
 
-class SystemAudit:
+class SystemAudit(Decided):
     """What Algorithm 1 found of a polynomial map."""
-
-    def __init__(self, record: dict[str, Any]) -> None:
-        self._record = record
-
-    @property
-    def verdict(self) -> Verdict:
-        """``cuspidal``, ``noncuspidal`` or ``undecided``."""
-        return Verdict(self._record["verdict"])
-
-    @property
-    def why(self) -> str:
-        """The reason in one sentence."""
-        return str(self._record["proof"]["why"])
-
-    @property
-    def proof(self) -> Proof:
-        """What the verdict rests on."""
-        return _proof(self._record)
-
-    @property
-    def aspects(self) -> Count | None:
-        """How many components V - {Delta = 0} has, where they were all found."""
-        return _count(self._record["aspects"], "count")
-
-    @property
-    def postures(self) -> Count | None:
-        """The largest number of points in a regular fiber."""
-        return _count(self._record["postures"], "max")
 
     @property
     def path(self) -> Array | None:
@@ -284,20 +279,17 @@ class SystemAudit:
         witness = self._record["witness"]
         return None if witness is None else np.array(witness["path"])
 
-    def to_dict(self) -> dict[str, Any]:
-        """The run as JSON has it, schema ``cuspaudit/audit/2`` with ``robot`` null."""
-        return _copy(self._record)
-
     def __repr__(self) -> str:
         size = len(self._record["system"]["map"])
         return f"<SystemAudit of a map to R^{size}: {self.verdict.value}>"
 
 
-def _proof(record: Mapping[str, Any]) -> Proof:
-    proof = record["proof"]
-    return Proof(
-        proof["kind"], proof["engine"], proof["reduction"], tuple(proof["rests_on"])
-    )
+def _witness(found: FoundWitness | None, chain: Chain) -> Witness | None:
+    if found is None:
+        return None
+    path = found.path[:, : len(chain.joints)].copy()
+    path.setflags(write=False)
+    return Witness(path, found.sign, found.clearance, chain)
 
 
 def _count(entry: Mapping[str, Any], key: str) -> Count | None:

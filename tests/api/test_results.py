@@ -123,3 +123,17 @@ def test_a_system_that_cannot_be_read_is_refused() -> None:
     """Polynomials are parsed, never evaluated; the message names the entry."""
     with pytest.raises(cu.CuspauditError, match=r"map\[0\]"):
         cu.decide(variables=["x"], map=["__import__('os')"])
+
+
+def test_the_witness_within_limits_stays_inside_them(tmp_path: Path) -> None:
+    """Its two postures have one tip, and no way point leaves the limits."""
+    text = (Path(cu.__file__).parents[1] / "robots/chablat-2022-3r.yaml").read_text()
+    limited = text.replace("d: 1}", "d: 1, limits: [-170 deg, 170 deg]}", 1)
+    limited = limited[: limited.index("expect:")]
+    (tmp_path / "arm.yaml").write_text(limited)
+    within = cu.audit(cu.load(tmp_path / "arm.yaml")).within_limits
+    assert within is not None
+    assert within.verdict == "cuspidal"
+    assert within.witness is not None
+    assert np.all(np.abs(within.witness.path[:, 1]) < np.radians(170))
+    assert len(set(np.sign(within.witness.determinants(50)))) == 1
