@@ -42,7 +42,7 @@ def load(
     """The robot in a file, or of a name in the library.
 
     Args:
-        source: a URDF, MJCF or xacro file, a D-H table, or a name that
+        source: a URDF, MJCF, SDF or xacro file, a D-H table, or a name that
             ``cuspaudit import --list`` shows.
         tip: tip link of a URDF that has several ends.
         base: base link of a URDF; its root when left out.

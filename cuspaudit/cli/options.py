@@ -49,7 +49,7 @@ RobotName = Annotated[
     str,
     typer.Argument(
         metavar="ROBOT",
-        help="A robot file (URDF, xacro, MJCF, a D-H table), or a name from "
+        help="A robot file (URDF, xacro, MJCF, SDF, a D-H table), or a name from "
         "`import --list`.",
     ),
 ]

@@ -10,12 +10,13 @@ from pathlib import Path
 from cuspaudit.robot.formats.dh.format import DH
 from cuspaudit.robot.formats.format import Format
 from cuspaudit.robot.formats.mjcf.format import MJCF
+from cuspaudit.robot.formats.sdf.format import SDF
 from cuspaudit.robot.formats.urdf.format import URDF
 from cuspaudit.robot.formats.xacro.format import XACRO
 
 __all__ = ["FORMATS", "endings", "format_of", "is_recorded", "recorded_endings"]
 
-FORMATS: tuple[Format, ...] = (DH, MJCF, URDF, XACRO)
+FORMATS: tuple[Format, ...] = (DH, MJCF, SDF, URDF, XACRO)
 
 
 def format_of(path: Path) -> Format | None:

@@ -25,7 +25,11 @@ def test_an_ending_belongs_to_one_format(tmp_path: Path) -> None:
         for ending in known.endings:
             if ending != ".xml":
                 assert format_of(Path("arm" + ending.upper())) is known
-    for name, beginning in (("MJCF", "<mujoco/>"), ("URDF", "<robot/>")):
+    for name, beginning in (
+        ("MJCF", "<mujoco/>"),
+        ("SDF model", "<sdf/>"),
+        ("URDF", "<robot/>"),
+    ):
         file = tmp_path / "arm.XML"
         file.write_text(beginning)
         found = format_of(file)

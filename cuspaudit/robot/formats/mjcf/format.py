@@ -27,9 +27,10 @@ def _chains(path: Path, choices: Choices) -> list[Candidate]:
 
 
 def _is_mjcf(path: Path) -> bool:
-    from cuspaudit.robot.formats.mjcf.elements import looks_like_mjcf
+    from cuspaudit.robot.formats.elements import looks_like
+    from cuspaudit.robot.formats.mjcf.elements import MJCF_KINDS
 
-    return path.suffix.lower() == ".mjcf" or looks_like_mjcf(path)
+    return path.suffix.lower() == ".mjcf" or looks_like(path, MJCF_KINDS)
 
 
 MJCF = Format(

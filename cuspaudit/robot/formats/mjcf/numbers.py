@@ -33,6 +33,7 @@ __all__ = [
     "direction",
     "numbers",
     "orientation",
+    "quaternion_turns",
     "turn_of_z",
     "vector",
 ]
@@ -118,7 +119,7 @@ def orientation(
     elif name == "euler":
         turns = _euler(vector(text, here), degrees, sequence)
     elif name == "quat":
-        turns = _quaternion(numbers(text, 4, here), here)
+        turns = quaternion_turns(numbers(text, 4, here), here)
     elif name == "zaxis":
         turns = turn_of_z(vector(text, here), here)
     else:
@@ -138,7 +139,14 @@ def _euler(values: Vector, degrees: bool, sequence: str) -> list[tuple[Vector, A
     return turns
 
 
-def _quaternion(values: Sequence[Fraction], place: Place) -> list[tuple[Vector, Angle]]:
+def quaternion_turns(
+    values: Sequence[Fraction], place: Place
+) -> list[tuple[Vector, Angle]]:
+    """The turns of a quaternion w, x, y, z of any length, left to right.
+
+    Raises:
+        InvalidRobotError: it is zero.
+    """
     w, x, y, z = values
     if not any(values):
         raise place.error("the zero quaternion", "write one of length 1")

@@ -18,8 +18,9 @@ from cuspaudit.robot.formats.choice import (
     chains_beside,
     choose_chain,
 )
+from cuspaudit.robot.formats.elements import Element, read_elements
 from cuspaudit.robot.formats.format import MOST_JOINTS
-from cuspaudit.robot.formats.mjcf.elements import Element, read_elements
+from cuspaudit.robot.formats.mjcf.elements import MJCF_KINDS
 from cuspaudit.robot.formats.mjcf.numbers import numbers
 from cuspaudit.robot.formats.mjcf.settings import settings
 from cuspaudit.robot.formats.mjcf.tree import WORLD, MjcfJoint, tree_from_elements
@@ -85,7 +86,7 @@ def mjcf_candidates(
 def _opened(path: Path, task: str | None) -> tuple[Tree[MjcfJoint], Build]:
     """The tree of a file, and how a chain is made of it."""
     place = Place(str(path))
-    root = read_elements(path, place)
+    root = read_elements(path, place, MJCF_KINDS)
     tree = tree_from_elements(root, settings(root, place), place)
     name = root.attributes.get("model") or path.stem
     couplings = _couplings(root, tree)

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from cuspaudit.robot.formats.mjcf.elements import Element
+from cuspaudit.robot.formats.elements import Element
 from cuspaudit.robot.formats.mjcf.numbers import ORIENTATIONS
 from cuspaudit.robot.place import Place, quoted
 

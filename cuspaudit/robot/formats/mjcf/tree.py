@@ -15,7 +15,7 @@ from fractions import Fraction
 
 from cuspaudit.robot.axes import unit_axis
 from cuspaudit.robot.chain import Z_AXIS, Motion, Rotation, Translation, Vector
-from cuspaudit.robot.formats.mjcf.elements import Element
+from cuspaudit.robot.formats.elements import Element
 from cuspaudit.robot.formats.mjcf.numbers import (
     angle,
     direction,

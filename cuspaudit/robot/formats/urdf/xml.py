@@ -26,7 +26,7 @@ _LEFT_BY_XACRO = {"property", "arg"}
 _ROOTS = {
     "html": ("a saved web page", "download the file itself"),
     "mujoco": ("an MJCF model", "rename the file to end in .xml or .mjcf"),
-    "sdf": ("an SDF model", "convert it to URDF"),
+    "sdf": ("an SDF model", "rename the file to end in .sdf"),
     "svg": ("a picture", "give the URDF"),
     "collada": ("a mesh", "give the URDF"),
 }
