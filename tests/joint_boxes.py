@@ -5,18 +5,23 @@ from __future__ import annotations
 import json
 from collections.abc import Sequence
 from fractions import Fraction
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+import pytest
 from flint import fmpq
 from short_tables import Number, arm
 
 from cuspaudit.cuspidality.box_decision import BoxDecision, decide_box
 from cuspaudit.cuspidality.box_values import ValuesDecision, decide_box_by_values
+from cuspaudit.cuspidality.surface_path import SurfacePath
 from cuspaudit.kinematics.exact_model import exact_model
 from cuspaudit.kinematics.polynomial_map import reduced_map
 from cuspaudit.kinematics.tip_circles import tip_circles
 from cuspaudit.robot.chain import Chain
+from cuspaudit.robot.frames import frames, jacobian
 from cuspaudit.surface.box_edges import Limit, Range
 from cuspaudit.surface.first_joint import FirstJoint
 
@@ -90,3 +95,26 @@ def degrees(text: str) -> int:
         return int(text)
     below = int(text.partition("/")[2] or 1)
     return (-180 if text.startswith("-") else 180) // below
+
+
+def check_path(chain: Chain, limits: Limits, path: SurfacePath) -> None:
+    """Hold the way points to the limits, det J to one sign, the ends to one place."""
+    for column, ends, kind in zip(
+        path.points.T, limits[1:], chain.kinds[1:], strict=True
+    ):
+        if ends is not None:
+            low, high = (float(Fraction(end)) for end in ends)
+            if kind == "revolute":
+                low, high = np.radians([low, high])
+            assert low < column.min() <= column.max() < high
+    ends = path.points[[0, -1]]
+    moved = np.abs(np.exp(1j * ends[0]) - np.exp(1j * ends[1]))
+    assert moved.max() > 1e-6
+    tips = [frames(chain, np.r_[0.0, end])[-1, :3, 3] for end in ends]
+    radii = [np.hypot(*tip[:2]) for tip in tips]
+    assert radii[0] == pytest.approx(radii[1], abs=1e-8)
+    assert tips[0][2] == pytest.approx(tips[1][2], abs=1e-8)
+    shares = np.linspace(0, 1, 200)[:, None]
+    points = np.vstack([a + shares * (b - a) for a, b in pairwise(path.points)])
+    signs = {np.sign(np.linalg.det(jacobian(chain, np.r_[0.0, q]))) for q in points}
+    assert len(signs) == 1

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from cuspaudit.auditing.joint_limits import ranges_of, width_of
 from cuspaudit.count import Count
-from cuspaudit.cuspidality.box_decision import decide_box
-from cuspaudit.cuspidality.box_values import decide_box_by_values
+from cuspaudit.cuspidality.box_decision import BoxDecision, decide_box
+from cuspaudit.cuspidality.box_values import ValuesDecision, decide_box_by_values
 from cuspaudit.cuspidality.surface_decision import oriented
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import RetryableError, UnableError
@@ -31,11 +31,13 @@ class ThreeInBox:
         verdict: one of three.
         why: one sentence.
         aspects: components of {det J != 0} within the limits.
+        decision: with the couples, where it is CUSPIDAL.
     """
 
     verdict: Verdict
     why: str
     aspects: Count
+    decision: BoxDecision | ValuesDecision
 
 
 def decide_three(model: ExactModel, clock: Clock) -> ThreeInBox:
@@ -54,7 +56,7 @@ def decide_three(model: ExactModel, clock: Clock) -> ThreeInBox:
     if model.is_exact:
         return found
     why = f"{found.why}; for a model whose angles and axes are rational, within 1e-12"
-    return ThreeInBox(found.verdict, why, Count(found.aspects.count, False))
+    return replace(found, why=why, aspects=Count(found.aspects.count, False))
 
 
 def _by_pairs(model: ExactModel, clock: Clock) -> ThreeInBox:
@@ -66,7 +68,7 @@ def _by_pairs(model: ExactModel, clock: Clock) -> ThreeInBox:
         f"walls of the limits, {len(box.couples) or 'none'} lie in one aspect of the "
         "box"
     )
-    return ThreeInBox(box.verdict, why, box.aspects)
+    return ThreeInBox(box.verdict, why, box.aspects, box)
 
 
 def _by_values(model: ExactModel, clock: Clock) -> ThreeInBox:
@@ -84,7 +86,7 @@ def _by_values(model: ExactModel, clock: Clock) -> ThreeInBox:
     if verdict is Verdict.CUSPIDAL and not free:
         verdict = Verdict.UNDECIDED
         why += "; whether joint 1 can follow within its limits was not decided"
-    return ThreeInBox(verdict, why, found.aspects)
+    return ThreeInBox(verdict, why, found.aspects, found)
 
 
 def _first_joint(model: ExactModel, limits: Range | None) -> FirstJoint | None:

@@ -14,7 +14,8 @@ postures lie in one component of {det J != 0} there. What decides, in the order 
 - *A wrist.* The first three joints (from tip to base, the last three) of an arm that a
   theorem leads to: postures of one pose in one aspect of the arm give two of one place
   in one aspect of the three, all inside their limits, so where those are noncuspidal
-  within their limits the arm is within its own. (The other way asks more of a wrist.)
+  within their limits the arm is within its own. The other way asks more of a wrist: a
+  path of the three is lifted to all six where one is met that the wrist can follow.
 
 Each is about the model that the verdict is about; a proof for the numbers of the file
 is added where there is one.
@@ -24,37 +25,33 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from itertools import chain as chain_of
 from itertools import islice
 from typing import Any
 
-import numpy as np
-from numpy.typing import NDArray
-
 from cuspaudit.auditing.answer import Answer
 from cuspaudit.auditing.cusp_witness import CuspWitness, find_cusps, same_cusp
-from cuspaudit.auditing.joint_limits import (
-    has_limits,
-    interval_of,
-    rational_limits,
+from cuspaudit.auditing.joint_limits import has_limits, interval_of
+from cuspaudit.auditing.limits_witness import (
+    first_proved,
+    limited,
+    paths_of_cells,
+    paths_of_cusps,
+    slack,
 )
-from cuspaudit.auditing.search.around_cusp import paths_around, slack_of
-from cuspaudit.auditing.search.lift import close
 from cuspaudit.auditing.three_in_box import ThreeInBox, aspects_in_box, decide_three
-from cuspaudit.auditing.witness import Witness, certified
+from cuspaudit.auditing.witness import Witness
 from cuspaudit.count import Count
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import RetryableError, UnableError
 from cuspaudit.robot.chain import Chain
-from cuspaudit.runtime.clock import Clock, check_time
+from cuspaudit.runtime.clock import Clock
 
 __all__ = ["FreeWitness", "WithinLimits", "within_limits"]
-
-Array = NDArray[np.float64]
 
 _EXACT = ("FLINT resultants", "FLINT root isolation", "ball arithmetic")
 _WRISTS = ("spherical wrist", "spherical shoulder")
 _CUSPS = 2
-_PATHS = 4
 
 
 @dataclass(frozen=True)
@@ -168,11 +165,27 @@ def within_limits(
     clock.step("limits", always=True)
     try:
         result = _cuspidal(nothing, found, literal, seed) or _exactly(
-            nothing, found, clock
+            nothing, found, literal, clock
         )
     except (UnableError, RetryableError) as error:
         return replace(nothing, why=str(error))
-    return result or replace(nothing, why=_open_sentence(found))
+    if result is None:
+        return replace(nothing, why=_open_sentence(found))
+    if result.verdict is Verdict.CUSPIDAL and result.witness is None:
+        return _to_look_at(result, found, literal, clock)
+    return result
+
+
+def _to_look_at(
+    result: WithinLimits, found: Answer, literal: Chain, clock: Clock
+) -> WithinLimits:
+    """A CUSPIDAL by a cusp alone, with a path where the exact route leads to one."""
+    if found.model.chain.task != "position" or result.kind != "cusp":
+        return result
+    try:
+        return _with_path(result, found, decide_three(found.model, clock), literal)
+    except (UnableError, RetryableError):
+        return result
 
 
 def _cuspidal(
@@ -181,40 +194,49 @@ def _cuspidal(
     """CUSPIDAL by the free witness or by a cusp, with a path where one is proved."""
     chain = found.model.chain
     if found.witness is not None and nothing.free is not None and nothing.free.inside:
-        witness = _limited(found.witness.path, chain)
+        witness = limited(found.witness.path, chain)
         if witness is not None:
             return _by_path(nothing, found.witness, witness, literal)
     if chain.task not in ("position", "pose"):
         return None
-    cusps = [found.cusp] if found.cusp is not None and found.cusp.is_inside else []
-    cusps += list(islice(find_cusps(chain, seed), _CUSPS - len(cusps)))
+    cusps = list(islice(_cusps(found, seed), 1))
     if not cusps:
         return None
     best = _by_cusp(nothing, same_cusp(cusps[0], literal) or cusps[0])
-    for witness in _around(cusps, literal):
-        return replace(best, witness=witness, slack=_slack(witness))
-    return best
+    paths = paths_of_cusps(chain_of(cusps, islice(_cusps(found, seed), 1, _CUSPS)))
+    return _shown(best, first_proved(paths, (literal, chain)))
+
+
+def _cusps(found: Answer, seed: int) -> Iterator[CuspWitness]:
+    """Cusps inside the limits, the one that the answer has first; searched late."""
+    own = found.cusp
+    if own is not None and own.is_inside:
+        yield own
+    for cusp in find_cusps(found.model.chain, seed):
+        if own is None or cusp.posture != own.posture:
+            yield cusp
+
+
+def _shown(result: WithinLimits, witness: Witness | None) -> WithinLimits:
+    """The same with a path to look at, if there is one."""
+    if witness is None:
+        return result
+    return replace(result, witness=witness, slack=slack(witness))
 
 
 def _by_path(
     nothing: WithinLimits, free: Witness, witness: Witness, literal: Chain
 ) -> WithinLimits:
     """By a path of the model, shown for the numbers of the file where it is one."""
-    witness = _limited(free.path, literal) or witness
-    return replace(
+    witness = limited(free.path, literal) or witness
+    result = replace(
         nothing,
         verdict=Verdict.CUSPIDAL,
         why="the path found without limits stays inside them",
         kind="witness",
         rests_on=("ball arithmetic",),
-        witness=replace(witness, clearance=free.clearance),
-        slack=_slack(witness),
     )
-
-
-def _slack(witness: Witness) -> float:
-    limits = [interval_of(joint) for joint in witness.chain.joints]
-    return slack_of(witness.path, limits)
+    return _shown(result, replace(witness, clearance=free.clearance))
 
 
 def _by_cusp(nothing: WithinLimits, cusp: CuspWitness) -> WithinLimits:
@@ -229,45 +251,63 @@ def _by_cusp(nothing: WithinLimits, cusp: CuspWitness) -> WithinLimits:
     )
 
 
-def _around(cusps: list[CuspWitness], literal: Chain) -> Iterator[Witness]:
-    """Proved paths round cusps inside the limits, for the literal chain if possible."""
-    for cusp in cusps:
-        limits = [interval_of(joint) for joint in cusp.chain.joints]
-        for path in islice(paths_around(cusp.chain, cusp.posture, limits), _PATHS):
-            for chain in dict.fromkeys((literal, cusp.chain)):
-                check_time("limits")
-                witness = _limited(path, chain)
-                if witness is not None:
-                    yield witness
-
-
-def _limited(path: Array, chain: Chain) -> Witness | None:
-    """The path as a witness within the limits of a chain, if it is proved."""
-    try:
-        closed = close(chain, path)
-    except RetryableError:
-        return None
-    witness = certified(chain, closed, limits=rational_limits(chain))
-    return witness if witness.verification.accepted else None
-
-
-def _exactly(nothing: WithinLimits, found: Answer, clock: Clock) -> WithinLimits | None:
+def _exactly(
+    nothing: WithinLimits, found: Answer, literal: Chain, clock: Clock
+) -> WithinLimits | None:
     """What the exact routes for three joints say, of the arm or of its first three."""
     if found.model.chain.task == "position":
-        return _of_three(nothing, decide_three(found.model, clock))
+        box = decide_three(found.model, clock)
+        return _with_path(_of_three(nothing, box), found, box, literal)
     reduction = found.reduction
     if reduction is None or reduction.regional is None:
         return None
     if reduction.kind not in _WRISTS:
         return None
-    three = _of_three(nothing, decide_three(reduction.regional, clock))
-    if three.verdict is not Verdict.NONCUSPIDAL:
-        return None
-    why = (
-        f"{reduction.kind}: the three joints that place its centre are noncuspidal "
-        f"within their limits; {three.why}"
+    box = decide_three(reduction.regional, clock)
+    if box.verdict is Verdict.NONCUSPIDAL:
+        why = (
+            f"{reduction.kind}: the three joints that place its centre are noncuspidal "
+            f"within their limits; {box.why}"
+        )
+        three = _of_three(nothing, box)
+        return replace(three, why=why, kind="reduction", aspects=nothing.aspects)
+    if box.verdict is Verdict.CUSPIDAL:
+        return _of_wrist(nothing, found, box, literal)
+    return None
+
+
+def _of_wrist(
+    nothing: WithinLimits, found: Answer, box: ThreeInBox, literal: Chain
+) -> WithinLimits:
+    """CUSPIDAL by a path of the three joints that the wrist follows in its limits."""
+    assert found.reduction is not None
+    chains = (literal, found.model.chain)
+    witness = first_proved(paths_of_cells(found, box), chains)
+    if witness is None:
+        why = (
+            f"{found.reduction.kind}: the three joints that place its centre are "
+            "cuspidal within their limits, but no wrist was met that follows them and "
+            "brings the hand back within its own"
+        )
+        return replace(nothing, why=why)
+    result = replace(
+        nothing,
+        verdict=Verdict.CUSPIDAL,
+        why=f"{found.reduction.kind}: {box.why}, and the wrist follows",
+        kind="witness",
+        rests_on=("ball arithmetic",),
     )
-    return replace(three, why=why, kind="reduction", aspects=nothing.aspects)
+    return _shown(result, witness)
+
+
+def _with_path(
+    result: WithinLimits, found: Answer, box: ThreeInBox, literal: Chain
+) -> WithinLimits:
+    """With a path through the cells of the box, of a CUSPIDAL."""
+    if box.verdict is not Verdict.CUSPIDAL:
+        return result
+    chains = (literal, found.model.chain)
+    return _shown(result, first_proved(paths_of_cells(found, box), chains))
 
 
 def _of_three(nothing: WithinLimits, box: ThreeInBox) -> WithinLimits:

@@ -25,6 +25,7 @@ from cuspaudit.algebra.elimination import resultant
 from cuspaudit.algebra.ring import Polynomial
 from cuspaudit.algebra.system import PolynomialMap, PolynomialSystem
 from cuspaudit.count import Count
+from cuspaudit.cuspidality.box_decision import Winding
 from cuspaudit.cuspidality.surface_decision import generic_values, oriented
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import UnableError
@@ -33,7 +34,6 @@ from cuspaudit.surface.atypical_values import atypical_values
 from cuspaudit.surface.box_aspects import (
     Box,
     BoxAspects,
-    Place,
     Ranges,
     box_aspects,
     charted_box,
@@ -44,6 +44,7 @@ from cuspaudit.surface.box_stability import count_between
 from cuspaudit.surface.fiber_pieces import AtBall
 from cuspaudit.surface.fibers import FiberPolynomials, fiber_polynomials
 from cuspaudit.surface.sample_points import Posture, sample_points
+from cuspaudit.surface.surface import Surface
 
 __all__ = ["ValueCouple", "ValuesDecision", "decide_box_by_values"]
 
@@ -54,13 +55,12 @@ class ValueCouple:
 
     Attributes:
         postures: over one sample value.
-        windings: for each the vertex in the graph of the box and the turns of the
-            fiber.
+        windings: one of each.
         sign: of Delta.
     """
 
     postures: tuple[Posture, Posture]
-    windings: tuple[tuple[Place, int], tuple[Place, int]]
+    windings: tuple[Winding, Winding]
     sign: int
 
 
@@ -70,6 +70,8 @@ class ValuesDecision:
 
     Attributes:
         verdict: as `BoxDecision.verdict`.
+        surface: V with the charts of the box.
+        delta: det jac(f, R), reduced on V.
         found: the aspects of the box that decided.
         aspects: of the box between the longer and the shorter one.
         samples: how many values were looked at.
@@ -77,6 +79,8 @@ class ValuesDecision:
     """
 
     verdict: Verdict
+    surface: Surface
+    delta: Polynomial
     found: BoxAspects
     aspects: Count
     samples: int
@@ -111,14 +115,16 @@ def decide_box_by_values(
     progress("limits: sample values")
     fibers = fiber_polynomials(surface, mapping)
     values = _Values(fibers, atypical_values(fibers), surface.chart(delta)[0])
+    verdict, deciding = Verdict.NONCUSPIDAL, wide
     samples, couples = values.ask(wide)
-    if not couples:
-        return ValuesDecision(Verdict.NONCUSPIDAL, wide, aspects, samples, [])
-    if narrow is not None:
-        samples, couples = values.ask(narrow)
-        if couples:
-            return ValuesDecision(Verdict.CUSPIDAL, narrow, aspects, samples, couples)
-    return ValuesDecision(Verdict.UNDECIDED, wide, aspects, samples, [])
+    if couples:
+        verdict, couples = Verdict.UNDECIDED, []
+        if narrow is not None:
+            again = values.ask(narrow)
+            if again[1]:
+                verdict, deciding = Verdict.CUSPIDAL, narrow
+                samples, couples = again
+    return ValuesDecision(verdict, surface, delta, deciding, aspects, samples, couples)
 
 
 @dataclass(frozen=True, eq=False)
@@ -153,12 +159,12 @@ class _Values:
                 continue
             for one in places[a]:
                 for two in places[b]:
-                    if aspects.aspects[one[0]] == aspects.aspects[two[0]]:
+                    if aspects.aspects[one.place] == aspects.aspects[two.place]:
                         yield ValueCouple((a, b), (one, two), signs[a])
 
     def _places(
         self, posture: Posture, aspects: BoxAspects, sign: int
-    ) -> list[tuple[Place, int]]:
+    ) -> list[Winding]:
         fiber = self.fibers.surface.fiber
 
         def angle(bits: int) -> arb:
@@ -170,7 +176,8 @@ class _Values:
                 ctx.prec = saved
 
         at = AtBall(lambda bits: posture.chart(bits)[1])
-        return aspects.places(at, angle, sign)
+        places = aspects.places(at, angle, sign)
+        return [Winding(place, turns) for place, turns in places]
 
 
 def _images(fibers: FiberPolynomials, box: Box) -> Iterator[Polynomial]:

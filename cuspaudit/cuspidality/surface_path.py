@@ -20,10 +20,20 @@ from numpy.typing import NDArray
 
 from cuspaudit.algebra.angles import beside
 from cuspaudit.algebra.numeric import NumericPolynomial, numeric_values
+from cuspaudit.algebra.ring import Polynomial
 from cuspaudit.surface.sample_points import Posture
 from cuspaudit.surface.surface import Factor, Surface
 
-__all__ = ["SurfacePath", "posture_angles", "propose_path", "propose_paths"]
+__all__ = [
+    "SignedDelta",
+    "SurfacePath",
+    "is_swapped",
+    "posture_angles",
+    "propose_path",
+    "propose_paths",
+    "resampled",
+    "shortened",
+]
 
 Array = NDArray[np.float64]
 if TYPE_CHECKING:
@@ -68,7 +78,7 @@ def propose_paths(decision: Decided) -> Iterator[SurfacePath]:
 
     The two ends bound how far from it a path can keep.
     """
-    land = _Landscape(decision, 1)
+    land = SignedDelta(decision.surface, decision.delta, 1)
 
     def height(couple: Couple) -> float:
         ends = np.array([_angles(decision.surface, p) for p in couple.postures])
@@ -81,30 +91,29 @@ def propose_paths(decision: Decided) -> Iterator[SurfacePath]:
 def posture_angles(decision: SurfaceDecision, posture: Posture) -> Array:
     """The coordinates of a posture as in `SurfacePath.points`."""
     pair = _angles(decision.surface, posture)
-    return pair[::-1] if _is_swapped(decision.surface) else pair
+    return pair[::-1] if is_swapped(decision.surface) else pair
 
 
 def propose_path(decision: Decided, couple: Couple) -> SurfacePath:
     """A path joining the couple inside its aspect, as far as sampling can tell."""
-    land = _Landscape(decision, couple.sign)
+    land = SignedDelta(decision.surface, decision.delta, couple.sign)
     path = land.follow(decision, couple)
-    smallest = land.height(_resample(path)).min()
+    smallest = land.height(resampled(path)).min()
     keep = _KEPT * min(smallest, *land.height(path[[0, -1]]))
-    path = _shorten(path, lambda piece: land.height(_resample(piece)).min() >= keep)
-    smallest = float(land.height(_resample(path)).min())
-    order = [1, 0] if _is_swapped(land.surface) else [0, 1]
+    path = shortened(path, lambda piece: land.height(resampled(piece)).min() >= keep)
+    smallest = float(land.height(resampled(path)).min())
+    order = [1, 0] if is_swapped(land.surface) else [0, 1]
     first = float(land.height(path[:1])[0])
     return SurfacePath(path[:, order], couple.sign, first, smallest, land.largest)
 
 
-class _Landscape:
+class SignedDelta:
     """sign * Delta on V in floating point; points are (fiber, base) pairs."""
 
-    def __init__(self, decision: Decided, sign: int) -> None:
-        self.surface: Surface = decision.surface
-        ring = self.surface.ring
-        self.delta = NumericPolynomial(ring, sign * decision.delta)
-        parts = self.surface.affine_parts(sign * decision.delta)
+    def __init__(self, surface: Surface, delta: Polynomial, sign: int) -> None:
+        self.surface = surface
+        self.delta = NumericPolynomial(surface.ring, sign * delta)
+        parts = surface.affine_parts(sign * delta)
         assert parts is not None, "orient chose the fiber so"
         self.parts = parts
 
@@ -159,7 +168,7 @@ class _Landscape:
         return np.vstack([start, along, last])
 
 
-def _is_swapped(surface: Surface) -> bool:
+def is_swapped(surface: Surface) -> bool:
     """Whether the fiber comes after the base in the ring's order."""
     place = surface.ring.variables.index
     return place(surface.fiber.names[0]) > place(surface.base.names[0])
@@ -179,7 +188,7 @@ def _angle(factor: Factor, t: float) -> float:
     return math.atan2(s, c) + 2 * math.atan(t)
 
 
-def _resample(path: Array, density: float = 0.01) -> Array:
+def resampled(path: Array, density: float = 0.01) -> Array:
     """The way points with points between them, at most ``density`` apart."""
     pieces = [path[:1]]
     for a, b in pairwise(path):
@@ -189,7 +198,7 @@ def _resample(path: Array, density: float = 0.01) -> Array:
     return np.vstack(pieces)
 
 
-def _shorten(path: Array, allowed: Callable[[Array], bool]) -> Array:
+def shortened(path: Array, allowed: Callable[[Array], bool]) -> Array:
     """Replace stretches of the path by straight ones wherever ``allowed``."""
     kept, at = [0], 0
     while at < len(path) - 1:

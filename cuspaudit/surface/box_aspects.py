@@ -19,7 +19,7 @@ event is there.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
@@ -46,7 +46,16 @@ from cuspaudit.surface.fiber_pieces import (
 from cuspaudit.surface.graph_isotop import components
 from cuspaudit.surface.surface import ROTATIONS, Factor, Surface
 
-__all__ = ["Box", "BoxAspects", "Place", "box_aspects", "charted_box", "of_factors"]
+__all__ = [
+    "Box",
+    "BoxAspects",
+    "Gate",
+    "Place",
+    "box_aspects",
+    "charted_box",
+    "gates",
+    "of_factors",
+]
 
 Place = tuple[int, int, int]
 Ranges = tuple[Range | None, Range | None]
@@ -300,14 +309,37 @@ def _joined(
     pieces: FiberPieces, events: list[RealRoot], k: int
 ) -> Iterator[tuple[int, int]]:
     """The names of the pieces left and right of an event that are one over it."""
-    at = AtRoot(events[k])
     if pieces.limits is None:
-        yield from _same(list(pieces.signs(at)))
+        yield from _same(list(pieces.signs(AtRoot(events[k]))))
         return
+    for gate in gates(pieces, events, k):
+        yield gate.names
+
+
+@dataclass(frozen=True)
+class Gate:
+    """A way over an event, along a rational point of the fiber.
+
+    Attributes:
+        edge: the point of the fiber: Delta is not 0 there from one side to the other.
+        sides: rational points of the base left and right of the event, no other event
+            between.
+        names: of the pieces that the way leads from and to.
+    """
+
+    edge: Edge
+    sides: tuple[fmpq, fmpq]
+    names: tuple[int, int]
+
+
+def gates(pieces: FiberPieces, events: Sequence[RealRoot], k: int) -> Iterator[Gate]:
+    """A way through every piece over event ``k``; the fiber has limits."""
+    at = AtRoot(events[k])
     near = [*events[max(k - 1, 0) : k + 2]]
     for edge in pieces.points(at):
         low, high = _beside(events[k], [*near, *real_roots(pieces.along(edge))])
-        yield pieces.place(AtRational(low), edge), pieces.place(AtRational(high), edge)
+        first, last = (pieces.place(AtRational(x), edge) for x in (low, high))
+        yield Gate(edge, (low, high), (first, last))
 
 
 def _beside(root: RealRoot, others: list[RealRoot]) -> tuple[fmpq, fmpq]:

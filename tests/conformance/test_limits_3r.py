@@ -5,8 +5,9 @@ from __future__ import annotations
 from typing import Any
 
 import pytest
-from joint_boxes import FACTS, arm_of, within, within_by_values
+from joint_boxes import FACTS, arm_of, check_path, within, within_by_values
 
+from cuspaudit.cuspidality.box_path import box_paths
 from cuspaudit.cuspidality.verdict import Verdict
 
 ROWS: list[dict[str, Any]] = FACTS["rows"]
@@ -28,6 +29,8 @@ def check(row: dict[str, Any], *, by_values: bool = False) -> None:
     assert found.verdict is not Verdict.UNDECIDED
     assert found.aspects.count == row["aspects_in_box"]
     assert found.aspects.proved == ((row["arm"], limits) != TANGENT)
+    if found.couples:
+        check_path(chain, limits, next(box_paths(found)))
 
 
 @pytest.mark.parametrize("row", [ROWS[k] for k in FEW], ids=name_of)

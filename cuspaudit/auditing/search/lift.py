@@ -20,7 +20,14 @@ from cuspaudit.kinematics.exact_model import ExactModel
 from cuspaudit.robot.chain import Chain
 from cuspaudit.robot.frames import frames, jacobian
 
-__all__ = ["close", "lift_position", "lift_wrist", "wrist_middle", "wrist_spread"]
+__all__ = [
+    "close",
+    "lift_position",
+    "lift_wrist",
+    "wrist_at",
+    "wrist_middle",
+    "wrist_spread",
+]
 
 Array = NDArray[np.float64]
 _DIGITS = 12
@@ -74,7 +81,7 @@ def _lifted_wrist(
 ) -> tuple[float, Array] | None:
     """The smaller wrist spread of the ends and the path with the wrist at ``start``."""
     first = np.r_[regional[0], start]
-    wrist = _wrist_at(chain, first, regional[-1], middle)
+    wrist = wrist_at(chain, first, regional[-1], middle)
     if wrist is None:
         return None
     last = np.r_[regional[-1], wrist]
@@ -168,7 +175,7 @@ def _axes(chain: Chain, posture: Array) -> Array:
     return np.array([axis / np.linalg.norm(axis) for axis in axes], dtype=np.float64)
 
 
-def _wrist_at(
+def wrist_at(
     chain: Chain, first: Array, regional: Array, middle: float
 ) -> Array | None:
     """The wrist that gives ``first``'s orientation at ``regional``, near ``middle``."""
