@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from itertools import islice
 
 from cuspaudit.auditing.answer import Answer, Reason
 from cuspaudit.auditing.case import MOST_POSES, Case
+from cuspaudit.auditing.cusp_witness import CuspWitness
 from cuspaudit.auditing.evidence import SearchRecord
+from cuspaudit.auditing.search.around_cusp import paths_around
 from cuspaudit.auditing.search.lift import close
+from cuspaudit.auditing.search.mixed_joints import search_mixed
 from cuspaudit.auditing.search.six_joints import search
 from cuspaudit.auditing.witness import Witness, certified
 from cuspaudit.count import Count
@@ -17,6 +21,8 @@ from cuspaudit.robot.chain import Chain
 from cuspaudit.runtime.clock import Clock, Progress
 
 __all__ = ["Searched", "by_search", "search_witness"]
+
+_ROUND = 12
 
 
 @dataclass(frozen=True, eq=False)
@@ -41,11 +47,13 @@ def by_search(case: Case, clock: Clock) -> Answer | None:
     found, chain = case.so_far, case.model.chain
     if found is None or not found.is_open_for(Reason.NO_THEOREM):
         return None
-    if chain.task != "pose" or chain.kinds != ("revolute",) * 6:
+    if chain.task != "pose":
         return None
     result = search_witness(chain, case.seed, clock.step, case.poses)
     record, witness = result.record, result.witness
     postures = found.more_postures(_postures(record))
+    if witness is None and found.cusp is not None:
+        return _by_cusp(found, found.cusp, record)
     if witness is None:
         why = ", and no witness was met in a search"
         return found.still_open(why, search=record, postures=postures)
@@ -63,6 +71,21 @@ def by_search(case: Case, clock: Clock) -> Answer | None:
     )
 
 
+def _by_cusp(found: Answer, cusp: CuspWitness, record: SearchRecord) -> Answer:
+    """The answer by a cusp, with a path round it where one is proved."""
+    found = replace(
+        found, search=record, postures=found.more_postures(_postures(record))
+    )
+    free = [None] * len(cusp.posture)
+    for path in islice(paths_around(cusp.chain, cusp.posture, free), _ROUND):
+        witness = certified(cusp.chain, path)
+        if witness.verification.accepted:
+            at = ", ".join(f"{value:.4g}" for value in cusp.posture)
+            why = f"the map of its task has a cusp, at ({at}); a path leads round it"
+            return replace(found, why=why, witness=witness)
+    return found
+
+
 def search_witness(
     chain: Chain,
     seed: int = 0,
@@ -72,16 +95,19 @@ def search_witness(
     """Search, and prove the widest path that can be proved.
 
     Args:
-        chain: six revolute joints, task "pose".
+        chain: six joints, task "pose".
         seed: of every random choice.
         progress: called with each step; an UnableError it raises ends the search.
         most: random poses to be tried.
     """
-    found = search(chain, seed, progress, most)
+    slides = "prismatic" in chain.kinds
+    found = (search_mixed if slides else search)(chain, seed, progress, most)
+    # with slides |det J| may have no largest value
+    largest = None if slides else found.largest
     refused, proved = "", list[Witness]()
     for proposal in found.proposals:
         try:
-            witness = certified(chain, close(chain, proposal.path), found.largest)
+            witness = certified(chain, close(chain, proposal.path), largest)
         except RetryableError as unlucky:
             refused = str(unlucky)
             continue

@@ -181,6 +181,13 @@ class TaskMap:
         v = np.where(turns, _cross(n, arm) / self.size, n)
         return np.where(turns, n, 0.0), v
 
+    def placed(self, q: Array) -> Array:
+        """The frames of the tip, (m, 4, 4), lengths in the chain's unit."""
+        placed = np.broadcast_to(np.eye(4), (len(q), 4, 4))
+        for k, before in enumerate(self.before):
+            placed = placed @ before @ self._motion(k, q[:, k])
+        return np.asarray(placed @ self.tool)
+
     def _motion(self, k: int, value: Array) -> Array:
         motion = np.zeros((len(value), 4, 4))
         motion[:, 3, 3] = 1
