@@ -1,10 +1,15 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 from hypothesis import HealthCheck, settings
+
+import cuspaudit
+from cuspaudit.robot.chain import Chain
+from cuspaudit.robot.formats.read_robot import read_robot
 
 #: conftest files are no modules with doctests, and several share their name
 collect_ignore_glob = ["*conftest.py"]
@@ -27,6 +32,13 @@ def corpus() -> Path:
     if not folder.is_dir():
         pytest.skip("no corpus: set CUSPAUDIT_CORPUS")
     return folder
+
+
+@pytest.fixture(scope="session")
+def seven_joints() -> Callable[[str], Chain]:
+    """A reader of the chains of ``robots/seven-joints/`` by name."""
+    folder = Path(cuspaudit.__file__).parents[1] / "robots" / "seven-joints"
+    return lambda name: read_robot(folder / f"{name}.yaml").chain
 
 
 @pytest.fixture(scope="session")

@@ -14,9 +14,11 @@ from typing import Any, Literal
 
 from cuspaudit.certificate.cover import Cover, Refusal
 from cuspaudit.certificate.cusp_proof import CuspProof
+from cuspaudit.certificate.lock_proof import LockProof
 from cuspaudit.certificate.model import (
     Certificate,
     CuspCertificate,
+    LockCertificate,
     PairsCertificate,
     PathCertificate,
     StructureCertificate,
@@ -68,7 +70,7 @@ class Verification:
         return asdict(self)
 
 
-_Proof = PathProof | CuspProof | PairsProof | StructureProof
+_Proof = PathProof | LockProof | CuspProof | PairsProof | StructureProof
 
 
 def verify(certificate: Certificate) -> Verification:
@@ -100,7 +102,9 @@ def verify(certificate: Certificate) -> Verification:
         reason=reason,
         boxes=_boxes(proof),
         smallest=smallest,
-        radius=proof.radius if isinstance(proof, PathProof | CuspProof) else None,
+        radius=proof.radius
+        if isinstance(proof, PathProof | LockProof | CuspProof)
+        else None,
         bits=proof.bits if path is None else max(path.bits, path.cover.bits),
         seconds=time.perf_counter() - start,
     )
@@ -110,6 +114,8 @@ def _proof(certificate: Certificate) -> _Proof:
     match certificate:
         case PathCertificate():
             return PathProof(certificate, Cover(certificate))
+        case LockCertificate():
+            return LockProof(certificate)
         case CuspCertificate():
             return CuspProof(certificate)
         case PairsCertificate():
@@ -121,7 +127,7 @@ def _proof(certificate: Certificate) -> _Proof:
 
 def _boxes(proof: _Proof) -> int:
     match proof:
-        case PathProof():
+        case PathProof() | LockProof():
             return proof.cover.boxes
         case PairsProof():
             return proof.boxes

@@ -3,7 +3,7 @@
 ::
 
     {"schema": "cuspaudit/certificate/2",
-     "kind": "path" | "cusp" | "pairs" | "structure",
+     "kind": "path" | "lock" | "cusp" | "pairs" | "structure",
      "robot": {"name": "...", "unit": "m",
        "task": "position" | "position-and-angle" | "position-and-axis" | "pose",
        "joints": [{"name": "...", "type": "revolute" | "prismatic",
@@ -18,6 +18,11 @@
     path: "sign": 1 | -1,
           "postures": [["0.1", ...], ["...", ...]],
           "path": [["0.1", ...], ...]
+    lock: "sign": 1 | -1,
+          "path": [["0.1", ...], ...],
+          "lock": {"joint": 3, "motion": 2, "half": "0.1"},
+          "slopes": [["0.1", ...], ...],
+          "bends": [["0.1", ...], ...]
     cusp: "posture": ["0.1", ...]
     pairs: "parting": ["0.1", ...],
           "regular": ["0.1", ...]
@@ -50,6 +55,7 @@ from cuspaudit.certificate.exact import text_from_fraction
 from cuspaudit.certificate.model import (
     Certificate,
     CuspCertificate,
+    LockCertificate,
     Motion,
     PairsCertificate,
     PathCertificate,
@@ -206,6 +212,15 @@ def _json_from_certificate(certificate: Certificate) -> dict[str, Any]:
         found["sign"] = certificate.sign
         found["postures"] = [texts(row) for row in certificate.postures]
         found["path"] = [texts(row) for row in certificate.path]
+    if isinstance(certificate, LockCertificate):
+        found["kind"] = "lock"
+        found["sign"] = certificate.sign
+        found["path"] = [texts(row) for row in certificate.path]
+        lock = certificate.lock
+        [half] = texts((lock.half,))
+        found["lock"] = {"joint": lock.joint, "motion": lock.motion, "half": half}
+        found["slopes"] = [texts(row) for row in certificate.slopes]
+        found["bends"] = [texts(row) for row in certificate.bends]
     if isinstance(certificate, CuspCertificate):
         found["kind"] = "cusp"
         found["posture"] = texts(certificate.posture)

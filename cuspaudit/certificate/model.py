@@ -7,8 +7,11 @@ the file is needed to prove it. The second posture is an approximation, because 
 are algebraic numbers in general; the checker proves that one true posture lies next to
 it.
 
-kind "cusp" claims the same by one posture: next to it the map has a cusp, and postures
-of one pose lie in one aspect as near to a cusp as one likes.
+kind "lock" claims that of every robot that comes of it when one joint more is locked at
+any value of an interval: the path moves with the value.
+
+kind "cusp" claims the same as "path" by one posture: next to it the map has a cusp, and
+postures of one pose lie in one aspect as near to a cusp as one likes.
 
 kind "pairs" claims that a robot of three joints is noncuspidal, by a look at all pairs
 of postures of one position.
@@ -36,6 +39,8 @@ __all__ = [
     "CuspCertificate",
     "JointKind",
     "Limits",
+    "Lock",
+    "LockCertificate",
     "Motion",
     "Numbers",
     "PairsCertificate",
@@ -173,6 +178,44 @@ class PathCertificate(Certificate):
     path: tuple[Posture, ...]
 
 
+@dataclass(frozen=True, slots=True)
+class Lock:
+    """A rotation of a robot whose angle is not told: a joint locked at any value.
+
+    Attributes:
+        joint: before which joint it stands, from 1; one more than there are joints for
+            the tool.
+        motion: which of the motions there it is, from 0.
+        half: the angle is what stands there and at most so much more or less, rad.
+    """
+
+    joint: int
+    motion: int
+    half: Fraction
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class LockCertificate(Certificate):
+    """The claim that a robot is cuspidal at every value of a locked joint.
+
+    For the value that is d more than what stands in the file the way points are those
+    of the path, and d times the slopes, and d^2 times the bends.
+
+    Attributes:
+        sign: the sign, 1 or -1, that det J keeps along the paths of all values.
+        path: way points joined by straight segments, at the value in the file.
+        lock: which rotation it is.
+        slopes: a row a way point; rad, or the unit of length, for one rad.
+        bends: a row a way point, for one rad squared.
+    """
+
+    sign: Literal[1, -1]
+    path: tuple[Posture, ...]
+    lock: Lock
+    slopes: tuple[Posture, ...]
+    bends: tuple[Posture, ...]
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CuspCertificate(Certificate):
     """The claim that a robot is cuspidal, by a cusp of the map of its task.
@@ -282,6 +325,8 @@ def _misfits(certificate: Certificate) -> _Misfits:
     yield from _limit_misfits(certificate)
     if isinstance(certificate, PathCertificate):
         yield from _path_misfits(certificate)
+    if isinstance(certificate, LockCertificate):
+        yield from _lock_misfits(certificate)
     if isinstance(certificate, CuspCertificate):
         yield from _cusp_misfits(certificate)
     if isinstance(certificate, StructureCertificate):
@@ -309,15 +354,46 @@ def _limit_misfits(certificate: Certificate) -> _Misfits:
 
 def _path_misfits(certificate: PathCertificate) -> _Misfits:
     needed = JOINTS_OF_TASK[certificate.task]
-    if certificate.task == "position-and-angle":
-        yield "robot.task", repr(certificate.task), "a path is of another task"
-    if certificate.sign not in (1, -1):
-        yield "sign", repr(certificate.sign), "use 1 or -1"
+    yield from _way_misfits(certificate, certificate.sign, certificate.path)
     if len(certificate.postures) != 2:
         yield "postures", f"{len(certificate.postures)} postures", "give two"
-    if len(certificate.path) < 2:
-        yield "path", f"{len(certificate.path)} way points", "give at least two"
-    for key, rows in (("postures", certificate.postures), ("path", certificate.path)):
+    for index, row in enumerate(certificate.postures):
+        yield from _row_misfits(row, needed, f"postures[{index}]")
+
+
+def _way_misfits(
+    certificate: Certificate, sign: int, path: tuple[Posture, ...]
+) -> _Misfits:
+    if certificate.task == "position-and-angle":
+        yield "robot.task", repr(certificate.task), "a path is of another task"
+    if sign not in (1, -1):
+        yield "sign", repr(sign), "use 1 or -1"
+    if len(path) < 2:
+        yield "path", f"{len(path)} way points", "give at least two"
+    for index, row in enumerate(path):
+        needed = JOINTS_OF_TASK[certificate.task]
+        yield from _row_misfits(row, needed, f"path[{index}]")
+
+
+def _lock_misfits(certificate: LockCertificate) -> _Misfits:
+    needed, lock = JOINTS_OF_TASK[certificate.task], certificate.lock
+    yield from _way_misfits(certificate, certificate.sign, certificate.path)
+    places = (*(joint.before for joint in certificate.joints), certificate.tool)
+    if type(lock.joint) is not int or not 1 <= lock.joint <= len(places):
+        yield "lock.joint", repr(lock.joint), f"give a number from 1 to {len(places)}"
+        return
+    motions = places[lock.joint - 1]
+    if type(lock.motion) is not int or not 0 <= lock.motion < len(motions):
+        yield "lock.motion", repr(lock.motion), "give the index of a rotation there"
+    elif not isinstance(motions[lock.motion], Rotate):
+        yield "lock.motion", "a translation", "give the index of a rotation"
+    yield from _row_misfits((lock.half,), 1, "lock.half")
+    if isinstance(lock.half, Rational) and lock.half < 0:
+        yield "lock.half", "a negative number", "give 0 or more"
+    for key, rows in (("slopes", certificate.slopes), ("bends", certificate.bends)):
+        if len(rows) != len(certificate.path):
+            expected = f"give {len(certificate.path)}, one a way point"
+            yield key, f"{len(rows)} rows", expected
         for index, row in enumerate(rows):
             yield from _row_misfits(row, needed, f"{key}[{index}]")
 

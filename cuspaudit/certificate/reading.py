@@ -20,6 +20,8 @@ from cuspaudit.certificate.model import (
     CuspCertificate,
     JointKind,
     Limits,
+    Lock,
+    LockCertificate,
     Motion,
     Numbers,
     PairsCertificate,
@@ -123,16 +125,42 @@ def certificate_from_json(value: Any, place: Place) -> Certificate:
 
 
 def _path(top: dict[str, Any], place: Place) -> PathCertificate:
-    sign = top["sign"]
-    if type(sign) is not int or sign not in (1, -1):
-        place.key("sign").fail(_short(sign), "use 1 or -1")
     postures = place.key("postures").items(top["postures"], _row)
     return PathCertificate(
         **_frame(top, place),
-        sign=cast(Literal[1, -1], sign),
+        sign=_sign(top["sign"], place.key("sign")),
         postures=cast(tuple[Posture, Posture], postures),
         path=place.key("path").items(top["path"], _row),
     )
+
+
+def _sign(value: Any, place: Place) -> Literal[1, -1]:
+    if type(value) is not int or value not in (1, -1):
+        place.fail(_short(value), "use 1 or -1")
+    return cast(Literal[1, -1], value)
+
+
+def _moving(top: dict[str, Any], place: Place) -> LockCertificate:
+    at = place.key("lock")
+    lock = at.table(top["lock"], "joint", "motion", "half")
+    joint, motion = (_whole(lock[key], at.key(key)) for key in ("joint", "motion"))
+    path, slopes, bends = (
+        place.key(key).items(top[key], _row) for key in ("path", "slopes", "bends")
+    )
+    return LockCertificate(
+        **_frame(top, place),
+        sign=_sign(top["sign"], place.key("sign")),
+        path=path,
+        lock=Lock(joint, motion, _number(lock["half"], at.key("half"))),
+        slopes=slopes,
+        bends=bends,
+    )
+
+
+def _whole(value: Any, place: Place) -> int:
+    if type(value) is not int:
+        place.fail(_short(value), "give a whole number")
+    return value
 
 
 def _cusp(top: dict[str, Any], place: Place) -> CuspCertificate:
@@ -171,6 +199,7 @@ def _axis_number(value: Any, place: Place) -> int:
 
 _KINDS: dict[str, tuple[tuple[str, ...], Callable[[Any, Place], Certificate]]] = {
     "path": (("sign", "postures", "path"), _path),
+    "lock": (("sign", "path", "lock", "slopes", "bends"), _moving),
     "cusp": (("posture",), _cusp),
     "pairs": (("parting", "regular"), _pairs),
     "structure": (("theorem", "relations", "regular"), _structure),

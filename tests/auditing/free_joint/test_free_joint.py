@@ -1,0 +1,165 @@
+from __future__ import annotations
+
+from dataclasses import replace
+from fractions import Fraction
+from itertools import pairwise
+from pathlib import Path
+
+import pytest
+
+import cuspaudit
+from cuspaudit.auditing.deciders.decide import answer
+from cuspaudit.auditing.free_joint.free_joint import free_joint, lockable
+from cuspaudit.auditing.free_joint.stretch import Stretch, joined
+from cuspaudit.auditing.options import Options
+from cuspaudit.cuspidality.verdict import Verdict
+from cuspaudit.errors import DegenerateMapError, InvalidRobotError
+from cuspaudit.kinematics.exact_model import exact_model
+from cuspaudit.kinematics.locked.span import WHOLE_CIRCLE
+from cuspaudit.robot.chain import Angle, Chain, Joint, Rotation, Translation
+from cuspaudit.robot.formats.read_robot import read_robot
+from cuspaudit.robot.frames import angle_value
+from cuspaudit.robot.robot import Robot
+from cuspaudit.robot.task import lock
+
+FOLDER = Path(cuspaudit.__file__).parents[1] / "robots" / "seven-joints"
+
+
+def robot(name: str) -> Robot:
+    """A robot of seven joints."""
+    return read_robot(FOLDER / f"{name}.yaml")
+
+
+def covers(stretches: tuple[Stretch, ...]) -> bool:
+    """Whether stretches follow each other round the circle."""
+    ends = [each.span for each in stretches]
+    meets = all(a.upper == b.lower for a, b in pairwise(ends))
+    return meets and ends[0].lower == WHOLE_CIRCLE.lower
+
+
+@pytest.mark.parametrize(
+    "name", ["kuka-lbr-iiwa-14", "barrett-wam", "motoman-sia5d", "motoman-sia50d"]
+)
+def test_published_noncuspidal_arms(name: str) -> None:
+    """With joint 3 locked at any value these are noncuspidal: the whole circle."""
+    found = free_joint(robot(name), "joint_3")
+    assert found.verdict is Verdict.NONCUSPIDAL
+    assert found.degrees[Verdict.NONCUSPIDAL] == pytest.approx(360)
+    assert [each.kind for each in found.stretches] == ["structure"]
+
+
+def test_exceptional_values_are_single() -> None:
+    """Joint 2 of an iiwa: noncuspidal but where axes 1 and 3 are one line."""
+    found = free_joint(robot("kuka-lbr-iiwa-14"), "joint_2", Options(timeout=5))
+    assert found.verdict is Verdict.NONCUSPIDAL
+    assert covers(found.stretches)
+    for value in (0.0, 3.141592653589793):
+        stretch = found.at(value)
+        assert stretch is not None
+        assert stretch.verdict is Verdict.UNDECIDED
+        assert stretch.span.degrees < 0.02
+
+
+def test_structured_values_agree_with_the_deciders() -> None:
+    """At values of joint 2 of a WAM the ordinary deciders say what the stretch says."""
+    found = free_joint(robot("barrett-wam"), "joint_2", Options(timeout=5))
+    for sixths in (1, 3, -4, -5):
+        value = Angle(Fraction(sixths, 6))
+        stretch = found.at(angle_value(value))
+        assert stretch is not None
+        held = lock(found.chain, {"joint_2": value})
+        if stretch.verdict is not Verdict.UNDECIDED:
+            assert answer(exact_model(held)).verdict is stretch.verdict
+
+
+def test_a_lock_of_the_last_joint_moves_the_tool_alone() -> None:
+    """Joint 7 of a Panda: one decision is that of every value."""
+    found = free_joint(robot("franka-panda"), "joint_7")
+    [stretch] = found.stretches
+    assert (stretch.kind, stretch.verdict) == ("idle", Verdict.NONCUSPIDAL)
+
+
+def test_shares_do_not_hang_on_frames() -> None:
+    """Another base, tool and frames of the links leave every share as it is."""
+    given = robot("barrett-wam")
+    there = Rotation((Fraction(3), Fraction(0), Fraction(4)), Angle(Fraction(1, 2)))
+    off = Translation((Fraction(1, 3), Fraction(-2), Fraction(1, 7)))
+    turn = Rotation((Fraction(0), Fraction(0), Fraction(1)), Angle(Fraction(1, 4)))
+    joints = []
+    for number, joint in enumerate(given.chain.joints):
+        # a turn about the joint's own axis, put before it and taken back after it
+        before = (*((off, there) if number == 0 else ()), *joint.before)
+        joints.append(replace(joint, before=(*before, turn)))
+    moved = replace(given.chain, joints=tuple(joints), tool=(there, off))
+    other = free_joint(replace(given, chain=moved), "joint_2", Options(timeout=5))
+    same = free_joint(given, "joint_2", Options(timeout=5))
+    for verdict in Verdict:
+        assert other.degrees[verdict] == pytest.approx(same.degrees[verdict], abs=0.05)
+
+
+def test_a_locked_elbow_is_refused() -> None:
+    """Joint 4 of an iiwa leaves an arm that is singular everywhere: one line."""
+    with pytest.raises(DegenerateMapError, match="whatever the value of joint_4"):
+        free_joint(robot("kuka-lbr-iiwa-14"), "joint_4")
+
+
+def test_what_cannot_be_locked_is_refused() -> None:
+    """No such joint, a joint that slides, and no joint to spare: one line each."""
+    given = robot("barrett-wam")
+    with pytest.raises(InvalidRobotError, match='no joint is named "j9"'):
+        free_joint(given, "j9")
+    six = replace(given, chain=lock(given.chain, {"joint_3": Angle()}))
+    with pytest.raises(InvalidRobotError, match="6 joints for the task pose"):
+        free_joint(six, "joint_1")
+    assert lockable(six) == []
+    assert len(lockable(given)) == 7
+    slides = (replace(given.chain.joints[0], kind="prismatic"), *given.chain.joints[1:])
+    sliding = replace(given, chain=given.chain.with_joints(slides))
+    with pytest.raises(InvalidRobotError, match="slides"):
+        free_joint(sliding, "joint_1")
+
+
+def test_time_leaves_the_rest_open() -> None:
+    """With no time the circle is open, and the result says why."""
+    found = free_joint(robot("franka-panda"), "joint_3", Options(timeout=0.2))
+    assert found.verdict in (Verdict.UNDECIDED, Verdict.CUSPIDAL)
+    assert found.stopped is not None
+    assert covers(found.stretches)
+    assert sum(found.degrees.values()) == pytest.approx(360)
+
+
+def test_a_position_has_structures_too() -> None:
+    """Four joints for a position, two of them always parallel: noncuspidal."""
+    one = Translation((Fraction(1), Fraction(0), Fraction(0)))
+    square = Rotation((Fraction(1), Fraction(0), Fraction(0)), Angle(Fraction(1, 2)))
+    joints = (
+        Joint("a", "revolute"),
+        Joint("b", "revolute", (one, square)),
+        Joint("c", "revolute", (one,)),
+        Joint("d", "revolute", (one, square)),
+    )
+    given = replace(robot("barrett-wam"), chain=Chain("four", joints, (one,)))
+    found = free_joint(given, "d", Options(timeout=10))
+    assert found.verdict is Verdict.NONCUSPIDAL
+
+
+def test_alike_neighbours_are_joined() -> None:
+    """Stretches of one verdict and one reason become one; a witness stays alone."""
+    parts = WHOLE_CIRCLE.parts(4)
+    rows = [Stretch(p, Verdict.NONCUSPIDAL, "structure", "same") for p in parts[:3]]
+    rows.append(Stretch(parts[3], Verdict.UNDECIDED, "none", "open"))
+    first, last = joined(rows)
+    assert first.span.degrees == pytest.approx(270)
+    assert last.verdict is Verdict.UNDECIDED
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("name", "least"), [("franka-panda", 342), ("ufactory-xarm7", 342)]
+)
+def test_published_and_computed_cuspidal_arms(name: str, least: float) -> None:
+    """With joint 3 locked a Panda and the xArm7 of the public file are cuspidal."""
+    found = free_joint(robot(name), "joint_3")
+    assert found.verdict is Verdict.CUSPIDAL
+    assert found.degrees[Verdict.CUSPIDAL] >= least
+    assert covers(found.stretches)
