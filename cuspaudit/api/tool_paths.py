@@ -166,6 +166,7 @@ def postures(
     quaternion: Numbers | None = None,
     snap: File = "default",
     seed: int = 0,
+    timeout: float | None = None,
 ) -> Postures:
     """All postures of a pose, each with det J, sign, aspect and windings.
 
@@ -176,6 +177,7 @@ def postures(
         quaternion: and its orientation (w, x, y, z), where the task has one.
         snap: which rounded numbers are made exact.
         seed: of the exact solver.
+        timeout: seconds after which no further step is begun.
 
     Raises:
         InvalidInputError: not one pose.
@@ -197,7 +199,7 @@ def postures(
                 found=f"no orientation, which the task {robot.chain.task} needs",
                 expected="give quaternion=[w, x, y, z]",
             )
-    found = list_postures(arm, pose, seed)
+    found = list_postures(arm, pose, seed, timeout=timeout)
     record = postures_record(found, robot.name, robot.file)
     return Postures(
         found.postures, found.complete, found.whole_curves, found.why, record
@@ -212,6 +214,7 @@ def same_aspect(
     within_limits: bool = False,
     snap: File = "default",
     seed: int = 0,
+    timeout: float | None = None,
 ) -> Connection:
     """Whether the arm can go from q1 to q2 without meeting a singularity.
 
@@ -222,10 +225,12 @@ def same_aspect(
         within_limits: whether the way must keep within the joint limits.
         snap: which rounded numbers are made exact.
         seed: of the search for a path.
+        timeout: seconds after which no further step is begun.
     """
     arm = _arm(robot, snap)
+    ends = _joints(q1, arm, "q1"), _joints(q2, arm, "q2")
     found: FoundConnection = find_connection(
-        arm, _joints(q1, arm, "q1"), _joints(q2, arm, "q2"), within_limits, seed
+        arm, *ends, within_limits, seed, timeout=timeout
     )
     record = connection_record(found, robot.name, robot.file)
     return Connection(found.answer, found.why, found.path, record)
@@ -240,6 +245,7 @@ def trace(
     snap: File = "default",
     seed: int = 0,
     progress: Callable[[str], None] = lambda step: None,
+    timeout: float | None = None,
 ) -> Trace:
     """Follow a tool path from every posture of its first pose.
 
@@ -252,6 +258,7 @@ def trace(
         snap: which rounded numbers are made exact.
         seed: of the exact solvers.
         progress: called with the name of each step.
+        timeout: seconds after which no run is followed further.
 
     Raises:
         InvalidInputError: no tool path; the message names the row.
@@ -263,7 +270,7 @@ def trace(
         path = _path(poses, arm)
     if closed:
         path = closed_path(path, arm)
-    return Trace(trace_path(arm, path, limits, seed, progress), robot)
+    return Trace(trace_path(arm, path, limits, seed, progress, timeout), robot)
 
 
 def _arm(robot: Robot, snap: File) -> TracedArm:

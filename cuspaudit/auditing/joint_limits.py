@@ -19,7 +19,14 @@ from cuspaudit.surface.box_edges import Limit, Range
 if TYPE_CHECKING:
     from cuspaudit.auditing.search.cusps import Interval
 
-__all__ = ["has_limits", "interval_of", "ranges_of", "rational_limits", "width_of"]
+__all__ = [
+    "has_limits",
+    "interval_of",
+    "limit_of",
+    "ranges_of",
+    "rational_limits",
+    "width_of",
+]
 
 _PI = Fraction(314159265358979323846264338327950288419, 10**38)
 """Pi, rounded down."""
@@ -77,11 +84,12 @@ def _range(joint: ExactJoint, own: Joint) -> Range | None:
     pair = _pair(own)
     if pair is None:
         return None
-    lower, upper = (_limit(limit + joint.zero) for limit in pair)
+    lower, upper = (limit_of(limit + joint.zero) for limit in pair)
     return Range(lower, upper)
 
 
-def _limit(value: Angle) -> Limit:
+def limit_of(value: Angle) -> Limit:
+    """A value of a variable as one of its limits would be, exactly."""
     return Limit(rational(value.half_turns), rational(value.radians))
 
 

@@ -16,6 +16,7 @@ __all__ = [
     "LengthUnit",
     "Lock",
     "PackageFolder",
+    "PathTimeout",
     "RobotEngine",
     "RobotEngineName",
     "RobotName",
@@ -115,6 +116,14 @@ RobotEngineName = Annotated[
     ),
 ]
 Seed = Annotated[int, typer.Option(help="Seed of every random choice.")]
+PathTimeout = Annotated[
+    float | None,
+    typer.Option(
+        min=0.0,
+        help="Seconds after which no further step is begun; what is not known by then "
+        "is left open.",
+    ),
+]
 Timeout = Annotated[
     float | None,
     typer.Option(

@@ -10,14 +10,18 @@ from rich.console import Console
 
 from cuspaudit.cli.opening import open_named
 from cuspaudit.cli.options import (
+    PathTimeout,
     RobotName,
     Seed,
     Snap,
 )
 from cuspaudit.cli.outlet import JsonFile, check_outlets, write_json
 from cuspaudit.cli.robot_options import RobotOptions, with_robot_options
+from cuspaudit.cli.running import progress_bar
 
 __all__ = ["postures"]
+
+STEPS = ("postures", "aspects", "distances")
 
 
 @with_robot_options
@@ -47,6 +51,7 @@ def postures(
     ] = None,
     snap: Snap = "default",
     seed: Seed = 0,
+    timeout: PathTimeout = None,
 ) -> None:
     """List all postures of one pose: det J, sign, aspect, inside limits.
 
@@ -63,7 +68,8 @@ def postures(
     opened = open_named(robot, reading)
     arm = traced_arm(snapped(opened.chain, policy_from_name(snap))[0])
     pose = asked_pose(arm, joints, position, quaternion, rpy)
-    found = list_postures(arm, pose, seed)
+    with progress_bar(STEPS) as step:
+        found = list_postures(arm, pose, seed, step, timeout)
     record = postures_record(found, opened.name, opened.file)
     if html:
         from cuspaudit.pictures.tool_path import postures_drawing

@@ -8,15 +8,18 @@ import typer
 
 from cuspaudit.cli.opening import open_named
 from cuspaudit.cli.options import (
+    PathTimeout,
     RobotName,
     Seed,
     Snap,
 )
 from cuspaudit.cli.outlet import JsonFile, check_outlets, write_json
 from cuspaudit.cli.robot_options import RobotOptions, with_robot_options
+from cuspaudit.cli.running import progress_bar
 
 __all__ = ["same"]
 
+STEPS = ("aspects", "paths")
 EXIT = {"same": 0, "different": 1, "open": 3}
 
 
@@ -38,6 +41,7 @@ def same(
     json_file: JsonFile = None,
     snap: Snap = "default",
     seed: Seed = 0,
+    timeout: PathTimeout = None,
 ) -> None:
     """Tell whether two joint vectors lie in one aspect: joined without a singularity.
 
@@ -56,7 +60,8 @@ def same(
         joint_vector(text, opened.chain, option)
         for text, option in ((first, "--from"), (second, "--to"))
     ]
-    found = same_aspect(arm, ends[0], ends[1], within_limits, seed)
+    with progress_bar(STEPS) as step:
+        found = same_aspect(arm, ends[0], ends[1], within_limits, seed, step, timeout)
     record = connection_record(found, opened.name, opened.file)
     if write_json(json_file, record):
         typer.echo(f"{found.answer}: {found.why}")

@@ -12,6 +12,7 @@ from rich.text import Text
 
 from cuspaudit.cli.opening import open_named
 from cuspaudit.cli.options import (
+    PathTimeout,
     RobotName,
     Seed,
     Snap,
@@ -65,6 +66,7 @@ def trace(
     ] = None,
     snap: Snap = "default",
     seed: Seed = 0,
+    timeout: PathTimeout = None,
 ) -> None:
     """Follow a tool path from every posture: which reach its end, where others die.
 
@@ -89,7 +91,7 @@ def trace(
     if closed:
         tool_path = closed_path(tool_path, arm)
     with progress_bar(STEPS) as step:
-        found = trace_path(arm, tool_path, not no_limits, seed, step)
+        found = trace_path(arm, tool_path, not no_limits, seed, step, timeout)
     record = trace_record(found, opened.name, opened.file, laps)
     if certificate:
         write_text(certificate, run_certificate(found))

@@ -20,6 +20,7 @@ __all__ = [
     "Progress",
     "check_time",
     "seconds_left",
+    "time_is_up",
     "time_left",
     "time_limit",
 ]
@@ -64,6 +65,12 @@ def check_time(step: str) -> None:
     limit = _LIMIT.get()
     if limit is not None and time.perf_counter() >= limit[0]:
         raise TimeLimitError(step, limit[1])
+
+
+def time_is_up() -> bool:
+    """Whether the limit in force has passed, for a loop that ends with what it has."""
+    limit = _LIMIT.get()
+    return limit is not None and time.perf_counter() >= limit[0]
 
 
 def time_left(step: str) -> float:

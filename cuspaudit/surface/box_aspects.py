@@ -127,6 +127,27 @@ class BoxAspects:
             ]
         return [((k, interval, name), around) for k in turns for name, around in names]
 
+    def place_at(self, fiber: Edge, base: Edge, sign: int) -> Place | None:
+        """The vertex that a rational point lies in, turns counted; None outside.
+
+        Args:
+            fiber: its place on the fiber, at no limit, and Delta is not 0.
+            base: its place on the base, at no event and no limit.
+            sign: of Delta there.
+        """
+        at, limits = AtRational(base.t), self.pieces.limits
+        turn = 0 if self.box.base is None else base.turn
+        if turn not in self.turns(at):
+            return None
+        name = sign
+        if limits is not None:
+            low, here, high = ((e.turn, e.t) for e in (limits[0], fiber, limits[1]))
+            if not low < here < high:
+                return None
+            name = self.pieces.place(at, fiber)
+        balls = _below(at, lambda bits: [e.enclosure(bits) for e in self.events])
+        return (turn, balls, name)
+
     def turns(self, at: Stand) -> range:
         """The windings in the box of a point of the base, which is at no limit."""
         if self.box.base is None:

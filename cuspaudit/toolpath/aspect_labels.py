@@ -18,6 +18,7 @@ from cuspaudit.auditing.aspects import aspect_components
 from cuspaudit.cuspidality.surface_decision import oriented
 from cuspaudit.errors import AssumptionError, RetryableError, UnableError
 from cuspaudit.kinematics.polynomial_map import reduced_map
+from cuspaudit.runtime.clock import check_time
 from cuspaudit.surface.graph_isotop import graph_isotop
 from cuspaudit.surface.roadmap import SurfaceRoadmap, roadmap
 from cuspaudit.surface.surface import Factor
@@ -76,6 +77,7 @@ def aspect_labels(arm: TracedArm) -> AspectLabels | None:
     if not model.is_exact:
         return None
     try:
+        check_time("aspects")
         if len(model.joints) == 3:
             variety, mapping = reduced_map(model)
             surface, delta = oriented(variety, mapping)

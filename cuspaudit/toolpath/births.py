@@ -27,6 +27,7 @@ from cuspaudit.algebra.univariate import Univariate, real_roots
 from cuspaudit.cuspidality.surface_decision import oriented
 from cuspaudit.errors import AssumptionError, RetryableError, UnableError
 from cuspaudit.kinematics.polynomial_map import reduced_map
+from cuspaudit.runtime.clock import check_time, time_is_up
 from cuspaudit.surface.atypical_values import atypical_values
 from cuspaudit.surface.fibers import fiber_polynomials
 from cuspaudit.toolpath.leg_system import LegSystem
@@ -78,6 +79,8 @@ def complete_runs(
     links: dict[int, list[Link]] = defaultdict(list)
     _sort(found.runs, links)
     for leg, s in between:
+        if time_is_up():
+            return False, [f"{_NOT_COUNTED}: the time was up"]
         complete = _is_complete(arm, path, legs, leg, s, found, links) and complete
     if not complete:
         remarks.append("at some parameter of the path not every posture has a run")
@@ -93,6 +96,7 @@ def _samples(arm: TracedArm, path: ToolPath) -> Iterator[tuple[int, Fraction]]:
     walls = _Walls(arm)
     last: tuple[int, arb] | None = None
     for leg, (a, b) in enumerate(pairwise(path.poses)):
+        check_time("births")
         if a.position == b.position:
             continue
         for root in walls.roots(a, b):

@@ -22,6 +22,7 @@ from numpy.typing import NDArray
 
 from cuspaudit.algebra.ring import rational
 from cuspaudit.robot.chain import Angle, Joint
+from cuspaudit.runtime.clock import time_is_up
 from cuspaudit.toolpath.ball_arm import angle_ball
 from cuspaudit.toolpath.leg_system import LegSystem
 from cuspaudit.toolpath.runs import FreeRun
@@ -135,6 +136,8 @@ def first_leaving(
 ) -> Leaving | None:
     """Where ``run`` first leaves the interval of a joint; None if it never does.
 
+    When the time is up, somewhere from there on, not proved.
+
     Args:
         legs: the equations of each leg.
         run: begins inside.
@@ -142,6 +145,8 @@ def first_leaving(
         interval: in the winding of the run's coordinates.
     """
     for link in run.links:
+        if time_is_up():
+            return _somewhere(link, joint, False)
         found = _in_link(legs, run, link, joint, interval)
         if found is not None:
             return found

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Sequence
+from collections.abc import Callable, Hashable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from flint import arb, ctx
 
+from cuspaudit.runtime.clock import time_limit
 from cuspaudit.toolpath.aspect_labels import aspect_labels
 from cuspaudit.toolpath.ball_arm import BITS
 from cuspaudit.toolpath.limits import joint_ranges, windings
@@ -75,20 +76,32 @@ class PostureList:
     why: str
 
 
-def list_postures(arm: TracedArm, pose: Pose, seed: int = 0) -> PostureList:
+def list_postures(
+    arm: TracedArm,
+    pose: Pose,
+    seed: int = 0,
+    progress: Callable[[str], None] = lambda step: None,
+    timeout: float | None = None,
+) -> PostureList:
     """All postures of a pose.
 
     Args:
         arm: an arm with a square task.
         pose: with what the task needs.
         seed: of the exact solver.
+        progress: called with the name of each step.
+        timeout: seconds after which no further step is begun; the list may not be
+            complete then, and its aspects not told.
 
     Raises:
         UnableError: the tip of a four-joint arm never points so.
     """
-    with ctx.workprec(BITS):
+    with ctx.workprec(BITS), time_limit(timeout):
+        progress("postures")
         solved = solve_pose(arm, pose, seed)
+        progress("aspects")
         labels = aspect_labels(arm)
+        progress("distances")
         system = arm.system(pose, pose)
         found: list[tuple[Known, Hashable | None]] = []
         for known in known_postures(arm, system, solved, 0.0):

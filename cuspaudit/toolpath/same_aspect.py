@@ -1,13 +1,14 @@
 """May one posture reach another without a singularity?
 
 No where det J has opposite signs at the two, or where the exact aspects differ, within
-limits too, since a path within limits is a path. Yes where a path is proved by
-`certificate.cover`, or where the exact aspects, without limits, are equal. Else open.
+limits too, since a path within limits is a path; of three joints also where the exact
+aspects of their limits differ. Yes where a path is proved by `certificate.cover`, or
+where the exact aspects, without limits or those of the limits, are equal. Else open.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from typing import Any, Literal
@@ -20,8 +21,10 @@ from cuspaudit.auditing.search.aspect_routing import route_aspects
 from cuspaudit.auditing.witness import certificate_of
 from cuspaudit.certificate.cover import Cover, Refusal
 from cuspaudit.errors import AssumptionError, UnableError
+from cuspaudit.runtime.clock import check_time, time_is_up, time_limit
 from cuspaudit.toolpath.aspect_labels import aspect_labels
 from cuspaudit.toolpath.ball_arm import BITS
+from cuspaudit.toolpath.box_labels import BoxLabels, box_labels
 from cuspaudit.toolpath.joint_pose import JointValue, float_values, value_balls
 from cuspaudit.toolpath.limits import joint_ranges
 from cuspaudit.toolpath.traced_arm import TracedArm
@@ -61,6 +64,8 @@ def same_aspect(
     second: Sequence[JointValue],
     within_limits: bool = False,
     seed: int = 0,
+    progress: Callable[[str], None] = lambda step: None,
+    timeout: float | None = None,
 ) -> Connection:
     """Whether the arm can go from one joint vector to another without a singularity.
 
@@ -70,8 +75,10 @@ def same_aspect(
         second: likewise.
         within_limits: whether the path must keep within the limits of the joints.
         seed: of the search for a path.
+        progress: called with the name of each step.
+        timeout: seconds after which no further step is begun.
     """
-    with ctx.workprec(BITS):
+    with ctx.workprec(BITS), time_limit(timeout):
         ends = [_completed(arm, value_balls(values)) for values in (first, second)]
         signs = (_sign(arm, ends[0]), _sign(arm, ends[1]))
 
@@ -88,21 +95,47 @@ def same_aspect(
             outside = _outside(arm, ends)
             if outside:
                 return result("different", outside)
+        progress("aspects")
         labels = aspect_labels(arm)
         names = [None if labels is None else labels.label(end) for end in ends]
         told = None not in names
         if told and names[0] != names[1]:
             return result("different", "they lie in two of the exactly known aspects")
+        box = box_labels(arm) if within_limits else None
+        if box is not None and _apart(box, first, second):
+            why = "they lie in two of the exactly known aspects within the limits"
+            return result("different", why)
+        progress("paths")
         floats = [np.array(float_values(values)) for values in (first, second)]
         for path in _proposals(arm, floats[0], floats[1], within_limits, seed):
             if _is_proved(arm, path, signs[0] or 0):
                 return result("same", "det J keeps its sign along a proved path", path)
         if told and not within_limits:
             return result("same", "they lie in one of the exactly known aspects")
+        if box is not None and _together(box, first, second):
+            why = "they lie in one of the exactly known aspects within the limits"
+            return result("same", why)
         tried = "the straight way and the widest way over saddles of |det J|"
-        return result(
-            "open", f"neither a path nor a proof was found: {tried} were tried"
-        )
+        why = f"neither a path nor a proof was found: {tried} were tried"
+        if time_is_up():
+            why = f"neither a path nor a proof was found within {timeout:g} s"
+        return result("open", why)
+
+
+def _apart(
+    box: BoxLabels, first: Sequence[JointValue], second: Sequence[JointValue]
+) -> bool:
+    """Whether two joint vectors have two labels in the larger box."""
+    names = {box.label(values, inside=False) for values in (first, second)}
+    return None not in names and len(names) == 2
+
+
+def _together(
+    box: BoxLabels, first: Sequence[JointValue], second: Sequence[JointValue]
+) -> bool:
+    """Whether two joint vectors have one label in the smaller box."""
+    names = {box.label(values, inside=True) for values in (first, second)}
+    return None not in names and len(names) == 1
 
 
 def connection_record(found: Connection, name: str, file: str) -> dict[str, Any]:
@@ -152,12 +185,15 @@ def _proposals(
 ) -> Iterator[Array]:
     """Paths of all joints of the robot to be proved, the likely ones first."""
     turning = arm.turning[: arm.joints]
+    if time_is_up():
+        return
     gap = second - first
     yield np.vstack([first, second])
     if not within:
         short = np.where(turning, np.remainder(gap + np.pi, 2 * np.pi) - np.pi, gap)
         yield np.vstack([first, first + short])
     try:
+        check_time("paths")
         routing = route_aspects(arm.model, seed)
     except (AssumptionError, UnableError):
         return

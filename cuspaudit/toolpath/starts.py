@@ -29,6 +29,7 @@ from cuspaudit.kinematics.postures.exact import (
     real_postures,
 )
 from cuspaudit.kinematics.postures.numeric import PostureSolver
+from cuspaudit.runtime.clock import check_time
 from cuspaudit.toolpath.leg_system import LegSystem
 from cuspaudit.toolpath.strand import settled
 from cuspaudit.toolpath.traced_arm import TracedArm
@@ -99,6 +100,7 @@ def solve_pose(arm: TracedArm, pose: Pose, seed: int = 0) -> Solved:
 
 def _exact(arm: TracedArm, pose: Pose, seed: int) -> ZeroDimensionalParametrization:
     model = arm.model
+    check_time("postures")
     if len(model.joints) == 6:
         return exact_postures_of(model, arm.exact_pose(pose), seed)
     values = [rational(x) for x in pose.position]

@@ -19,6 +19,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from cuspaudit.runtime.clock import time_is_up
 from cuspaudit.toolpath.ball_arm import BallArm
 from cuspaudit.toolpath.leg_system import LegSystem
 from cuspaudit.toolpath.tube import (
@@ -77,7 +78,8 @@ class Strand:
 
     Attributes:
         links: its tubes.
-        exit: "end" and "start" of the path, or "stuck" where no step can be proved.
+        exit: "end" and "start" of the path, or "stuck" where no step can be proved, or
+            the time was up.
         leg: the leg where it ends.
         last: its last knot.
     """
@@ -217,7 +219,7 @@ def _along(system: LegSystem, leg: int, knot: Knot, forward: bool) -> Iterator[L
     size, most, last = _FIRST, _LONGEST, None
     axis = axis_at(system, knot.at, heading)
     for _ in range(_MOST):
-        if axis is None:
+        if axis is None or time_is_up():
             return
         found = None
         while found is None:

@@ -7,7 +7,7 @@ has reached are followed back: runs that are born on the way.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -111,13 +111,16 @@ def follow_path(
     legs: Sequence[LegSystem],
     first: Sequence[Known],
     last: Sequence[Known],
+    progress: Callable[[str], None] = lambda step: None,
 ) -> Followed:
     """The strands from every posture of the first pose, then those of the last."""
     result = Followed([], [None] * len(first), [None] * len(last))
     for index, posture in enumerate(first):
+        progress(f"runs: from posture {index + 1} of {len(first)}")
         if result.starts[index] is None and posture.knot is not None:
             _follow(arm, legs, posture.knot, True, first, last, result)
     for index, posture in enumerate(last):
+        progress(f"runs: back from posture {index + 1} of {len(last)}")
         if result.ends[index] is None and posture.knot is not None:
             _follow(arm, legs, posture.knot, False, first, last, result)
     return result

@@ -22,6 +22,7 @@ from flint import arb, ctx
 from numpy.typing import NDArray
 
 from cuspaudit.errors import CrossCheckError, UnableError
+from cuspaudit.runtime.clock import time_is_up, time_limit
 from cuspaudit.toolpath.ball_arm import BITS
 from cuspaudit.toolpath.births import complete_runs
 from cuspaudit.toolpath.leg_system import LegSystem
@@ -179,6 +180,7 @@ def trace_path(
     limited: bool = True,
     seed: int = 0,
     progress: Callable[[str], None] = lambda step: None,
+    timeout: float | None = None,
 ) -> Trace:
     """Follow a tool path from every posture of its first pose.
 
@@ -188,12 +190,14 @@ def trace_path(
         limited: whether the limits of the joints count.
         seed: of the exact solvers.
         progress: called with the name of each step.
+        timeout: seconds after which no run is followed further: what is not known by
+            then is undecided.
 
     Raises:
         UnableError: there are too many windings.
         CrossCheckError: two complete lists contradict each other.
     """
-    with ctx.workprec(BITS):
+    with ctx.workprec(BITS), time_limit(timeout):
         progress("postures")
         legs = [arm.system(a, b) for a, b in pairwise(path.poses)]
         first = solve_pose(arm, path.poses[0], seed)
@@ -201,13 +205,17 @@ def trace_path(
         starts = _starts(arm, path, legs, first)
         ends = known_postures(arm, legs[-1], last, 1.0)
         progress("runs")
-        found = follow_path(arm, legs, starts, ends)
+        found = follow_path(arm, legs, starts, ends, progress)
         progress("births")
         complete, remarks = complete_runs(arm, path, legs, first, last, found)
         if complete and not _all_met(found, starts, ends):
             complete = False
             remarks.append("a posture of the first or last pose could not be followed")
-        _check(arm, first, last, found, starts, ends)
+        if time_is_up():
+            complete = False
+            remarks.append("the time was up: what is not known by then is undecided")
+        else:
+            _check(arm, first, last, found, starts, ends)
         progress("limits")
         ranges = _ranges(arm, limited)
         runs = _all_runs(arm, legs, starts, found, ranges)

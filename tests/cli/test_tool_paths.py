@@ -2,6 +2,7 @@ from __future__ import annotations
 
 import json
 import os
+import signal
 import subprocess
 import sys
 from importlib.resources import files
@@ -52,6 +53,25 @@ def test_trace_writes_its_record_and_the_certificate_of_a_flip(tmp_path: Path) -
     assert record["complete"] == {"postures": True, "births": True}
     assert (tmp_path / "flip.html").stat().st_size > 10_000
     assert run("verify", "flip.json", folder=tmp_path).returncode == 0
+
+
+def test_an_interrupted_trace_leaves_no_file(tmp_path: Path) -> None:
+    """Ctrl-C ends a long trace with one line and exit code 130."""
+    turn = [(k % 7) / 10 for k in range(4000)]
+    rows = "".join(f"{2 + x},{x},0.3\n" for x in turn)
+    (tmp_path / "long.csv").write_text("x,y,z\n" + rows)
+    command = [sys.executable, "-m", "cuspaudit", "trace", "chablat-2022-3r"]
+    command += ["long.csv", "--json", "long.json", "--html", "long.html"]
+    with subprocess.Popen(
+        command, cwd=tmp_path, stderr=subprocess.PIPE, text=True, env=dict(os.environ)
+    ) as running:
+        with pytest.raises(subprocess.TimeoutExpired):
+            running.wait(timeout=4)
+        running.send_signal(signal.SIGINT)
+        _, said = running.communicate(timeout=60)
+    assert running.returncode == 130
+    assert "interrupted" in said and said.count("\n") == 1
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["long.csv"]
 
 
 def test_a_path_that_repeats_exits_0(tmp_path: Path) -> None:
