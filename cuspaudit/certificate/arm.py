@@ -26,7 +26,8 @@ from cuspaudit.certificate.balls import (
     turned,
 )
 from cuspaudit.certificate.model import Certificate, CertifiedJoint
-from cuspaudit.certificate.motions import Axis, axis_from_vector, frame_from_motions
+from cuspaudit.certificate.motions import Axis, axis_from_vector
+from cuspaudit.certificate.play import Play, Step, steps_of_links
 
 __all__ = ["Arm", "ArmJoint", "Screw", "arm_from_certificate"]
 
@@ -142,16 +143,28 @@ def arm_from_certificate(certificate: Certificate, lift: Callable[[arb], S]) -> 
     """Return the arm with its constants enclosed at the working precision.
 
     Args:
-        certificate: a well-formed certificate.
+        certificate: a well-formed certificate; with play the arm encloses each robot
+            that it allows.
         lift: turns a ball into the kind of number to compute with.
     """
-    joints = tuple(_joint(joint, lift) for joint in certificate.joints)
-    tool = lifted_frame(frame_from_motions(certificate.tool), lift)
-    return Arm(joints, tool, identity(lift(arb(1))))
+    *links, tool = map(_product, steps_of_links(certificate))
+    joints = tuple(
+        _joint(joint, before, lift)
+        for joint, before in zip(certificate.joints, links, strict=True)
+    )
+    return Arm(joints, lifted_frame(tool, lift), identity(lift(arb(1))))
 
 
-def _joint(joint: CertifiedJoint, lift: Callable[[arb], S]) -> ArmJoint[S]:
-    before = frame_from_motions(joint.before)
+def _product(steps: Sequence[Step]) -> Frame[arb]:
+    frame = identity(arb(1))
+    for step in steps:
+        frame = frame.then(step.frame if isinstance(step, Play) else step)
+    return frame
+
+
+def _joint(
+    joint: CertifiedJoint, before: Frame[arb], lift: Callable[[arb], S]
+) -> ArmJoint[S]:
     return ArmJoint(
         turns=joint.kind == "revolute",
         axis=axis_from_vector(joint.axis, lift),

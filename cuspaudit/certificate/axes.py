@@ -40,7 +40,9 @@ from cuspaudit.certificate.exponential_sums import (
 from cuspaudit.certificate.model import (
     Certificate,
     CertifiedJoint,
+    Loose,
     Motion,
+    Rotate,
     Translate,
     Vector,
 )
@@ -163,7 +165,7 @@ def _neighbours(certificate: Certificate, first: int) -> _Pair:
 
 
 def _is_about(motion: Motion, axis: Vector) -> bool:
-    if isinstance(motion, Translate):
+    if not isinstance(motion, Rotate):
         return False
     (a, b, c), (x, y, z) = motion.axis, axis
     return b * z == c * y and c * x == a * z and a * y == b * x
@@ -178,6 +180,8 @@ def _turned(motion: Motion, w: Column) -> Column:
     """The image of a direction: n n^T w + cos (1 - n n^T) w + sin n x w."""
     if isinstance(motion, Translate):
         return w
+    if isinstance(motion, Loose):
+        raise Refusal("a loose number is not exact")
     v, square = motion.axis, sum((x * x for x in motion.axis), Fraction(0))
     cosine, sine = cosine_and_sine(motion.half_turns, motion.radians)
     share = _dot(_column(v), w).times(1 / square)

@@ -15,6 +15,7 @@ from typing import Any, Literal
 from cuspaudit.certificate.cover import Cover, Refusal
 from cuspaudit.certificate.cusp_proof import CuspProof
 from cuspaudit.certificate.lock_proof import LockProof
+from cuspaudit.certificate.loose_cover import LooseCover
 from cuspaudit.certificate.model import (
     Certificate,
     CuspCertificate,
@@ -23,6 +24,7 @@ from cuspaudit.certificate.model import (
     PathCertificate,
     StructureCertificate,
     check_certificate,
+    is_loose,
 )
 from cuspaudit.certificate.pairs_proof import PairsProof
 from cuspaudit.certificate.path_proof import PathProof
@@ -113,7 +115,9 @@ def verify(certificate: Certificate) -> Verification:
 def _proof(certificate: Certificate) -> _Proof:
     match certificate:
         case PathCertificate():
-            return PathProof(certificate, Cover(certificate))
+            loose = is_loose(certificate)
+            cover = LooseCover(certificate) if loose else Cover(certificate)
+            return PathProof(certificate, cover)
         case LockCertificate():
             return LockProof(certificate)
         case CuspCertificate():
@@ -136,5 +140,6 @@ def _boxes(proof: _Proof) -> int:
 
 def _check_claim(certificate: Certificate) -> None:
     """Refuse a claim that goes beyond what is proved here."""
-    if certificate.tolerance is not None:
-        raise Refusal("a claim over a tolerance, which this version does not check")
+    proved = PathCertificate | CuspCertificate
+    if is_loose(certificate) and not isinstance(certificate, proved):
+        raise Refusal("a claim about more than one robot, which is not checked here")

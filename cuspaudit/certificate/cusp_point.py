@@ -45,6 +45,8 @@ __all__ = ["LARGEST_RADIUS_EXPONENT", "CuspBox", "Field", "no_cusp", "true_cusp"
 
 LARGEST_RADIUS_EXPONENT = -24
 """Boxes reach at most 2^-24 (about 6e-8) to each side of the point."""
+_LOOSE_RADIUS_EXPONENT = -1
+"""So far where the map is one of many, and each has its cusp elsewhere."""
 
 _SECOND = 3
 _FIRST = 2
@@ -111,14 +113,19 @@ class CuspBox:
     clear: arb
 
 
-def true_cusp(field: Field, point: Sequence[arb], bits: int) -> CuspBox | str:
+def true_cusp(
+    field: Field, point: Sequence[arb], bits: int, is_loose: bool = False
+) -> CuspBox | str:
     """Prove that a true cusp lies next to ``point``; else why not.
 
     Args:
-        field: of the map.
+        field: of the map, or enclosing those of many maps: then each of them has one
+            true cusp in the box.
         point: exact, as balls of radius 0 at the working precision.
         bits: of the working precision.
+        is_loose: whether the maps are many.
     """
+    largest = _LOOSE_RADIUS_EXPONENT if is_loose else LARGEST_RADIUS_EXPONENT
     with working_precision(bits, _SECOND):
         at = jet(field, point)
         reason = "no cusp is proved near the posture: "
@@ -131,7 +138,7 @@ def true_cusp(field: Field, point: Sequence[arb], bits: int) -> CuspBox | str:
         except ZeroDivisionError:
             return f"{reason}the conditions on it are not independent there"
         newton = inverse * arb_mat(2, 1, [at.h, at.along])
-        for exponent in _exponents(newton):
+        for exponent in _exponents(newton, largest):
             side = arb(0, arb(2) ** exponent)
             box = list(point)
             for k in pair:
@@ -148,7 +155,7 @@ def true_cusp(field: Field, point: Sequence[arb], bits: int) -> CuspBox | str:
                 return flaw
     return (
         f"{reason}no common zero of det J and of its derivative along the kernel "
-        f"within {2.0**LARGEST_RADIUS_EXPONENT:.1g}"
+        f"within {2.0**largest:.1g}"
     )
 
 
@@ -222,7 +229,7 @@ def _square(slopes: tuple[list[arb], list[arb]], pair: tuple[int, int]) -> arb_m
     return arb_mat([[slope[k] for k in pair] for slope in slopes])
 
 
-def _exponents(newton: arb_mat) -> range:
+def _exponents(newton: arb_mat, largest: int) -> range:
     """Exponents of the radii to try: from twice the Newton step upwards."""
     reach = max(float(entry.abs_upper()) for entry in newton.entries())
     if not math.isfinite(reach):
@@ -230,7 +237,7 @@ def _exponents(newton: arb_mat) -> range:
     start = -ctx.prec // 2
     if reach > 0:
         start = max(start, math.frexp(reach)[1] + 1)
-    return range(start, LARGEST_RADIUS_EXPONENT + 1)
+    return range(start, largest + 1)
 
 
 def _dot(a: Sequence[arb], b: Sequence[arb]) -> arb:

@@ -4,6 +4,9 @@
    of at most 6e-8 to each side in two joint values; the other values are exact.
 2. With limits: the whole box is inside them.
 
+With play (`play`) the arm is computed with in balls that hold every robot that it
+allows: each of them has a cusp in the box.
+
 **Theorem.** Then the robot is cuspidal, and within its limits if it has any.
 
 *Proof.* In the coordinates of the cusp, (x^3 + x y, y, ...) has det J = 3 x^2 + y, to
@@ -36,7 +39,8 @@ from cuspaudit.certificate.determinant import (
     jacobian_determinant,
 )
 from cuspaudit.certificate.limits_proof import check_box_inside, within
-from cuspaudit.certificate.model import CuspCertificate, printable
+from cuspaudit.certificate.model import CuspCertificate, is_loose, printable
+from cuspaudit.certificate.play import for_every_robot
 
 __all__ = ["CuspProof"]
 
@@ -96,13 +100,17 @@ class CuspProof:
             with working_precision(self.bits, TERMS):
                 arm = arm_from_certificate(self.certificate, _constant)
                 point = list(map(ball_from_fraction, self.certificate.posture))
-            found = true_cusp(ArmField(arm, self._row(arm, point)), point, self.bits)
+            loose = is_loose(self.certificate)
+            field = ArmField(arm, self._row(arm, point))
+            found = true_cusp(field, point, self.bits, loose)
             if isinstance(found, CuspBox):
                 self.radius = found.radius
                 with working_precision(self.bits):
                     check_box_inside(self.certificate, found.values, "the cusp")
                 return max(0.0, math.nextafter(float(found.clear), -math.inf))
             reason = found
+            if loose:
+                break
         raise Refusal(reason)
 
     def summary(self) -> str:
@@ -111,7 +119,7 @@ class CuspProof:
         return (
             f"cuspidal: the map of {self._task()} has a cusp at ({near}), and every "
             "neighborhood of a cusp holds two postures of one value in one aspect"
-            f"{within(self.certificate)}"
+            f"{within(self.certificate)}{for_every_robot(self.certificate)}"
         )
 
     def _task(self) -> str:

@@ -32,6 +32,8 @@
 
     MOTION: {"translate": ["x", "y", "z"]}
             {"rotate": ["ax", "ay", "az"], "angle": {"pi": "1/2", "rad": "0"}}
+            {"turn": ["ax", "ay", "az"], "within": "0.001"}
+            {"slide": ["ax", "ay", "az"], "within": "0.001"}
 
 Version 1 had the kind "path" only, neither its name nor the three keys that may be
 left out. Both versions are read, version 2 is written; docs/certificate.md says what a
@@ -56,6 +58,7 @@ from cuspaudit.certificate.model import (
     Certificate,
     CuspCertificate,
     LockCertificate,
+    Loose,
     Motion,
     PairsCertificate,
     PathCertificate,
@@ -175,6 +178,9 @@ def _json_from_certificate(certificate: Certificate) -> dict[str, Any]:
     def motion(motion: Motion) -> dict[str, Any]:
         if isinstance(motion, Translate):
             return {"translate": texts(motion.vector)}
+        if isinstance(motion, Loose):
+            (within,) = texts((motion.within,))
+            return {motion.kind: texts(motion.axis), "within": within}
         pi, rad = texts((motion.half_turns, motion.radians))
         return {"rotate": texts(motion.axis), "angle": {"pi": pi, "rad": rad}}
 

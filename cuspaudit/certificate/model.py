@@ -41,6 +41,7 @@ __all__ = [
     "Limits",
     "Lock",
     "LockCertificate",
+    "Loose",
     "Motion",
     "Numbers",
     "PairsCertificate",
@@ -55,6 +56,7 @@ __all__ = [
     "Vector",
     "Word",
     "check_certificate",
+    "is_loose",
     "printable",
 ]
 
@@ -95,7 +97,23 @@ class Rotate:
     radians: Fraction = Fraction(0)
 
 
-Motion = Translate | Rotate
+@dataclass(frozen=True, slots=True)
+class Loose:
+    """A number of the robot that is known within ``within`` only.
+
+    Attributes:
+        kind: a "turn" about ``axis`` by at most ``within`` rad, one way or the other,
+            or a "slide" along it by at most ``within`` of the unit of length.
+        axis: not zero, of any length.
+        within: 0 or more.
+    """
+
+    kind: Literal["turn", "slide"]
+    axis: Vector
+    within: Fraction
+
+
+Motion = Translate | Rotate | Loose
 
 
 @dataclass(frozen=True, slots=True)
@@ -115,7 +133,11 @@ class CertifiedJoint:
 
 @dataclass(frozen=True, slots=True)
 class Tolerance:
-    """How far a robot as built may be from the numbers of its certificate.
+    """How far the axes of a robot as built may be from where its certificate has them.
+
+    Each link carries two axes, or one and the tip. Each of the two, in the frame of
+    the link, may be elsewhere: a point of it moved by at most ``lengths`` and its
+    direction turned by at most ``angles`` (`play` says it exactly).
 
     Attributes:
         lengths: in the robot's unit.
@@ -274,6 +296,13 @@ class PairsCertificate(Certificate):
 
     parting: tuple[Fraction, ...]
     regular: Posture
+
+
+def is_loose(certificate: Certificate) -> bool:
+    """Whether the claim is about more robots than the one with these numbers."""
+    motions = (m for joint in certificate.joints for m in joint.before)
+    numbers = (isinstance(m, Loose) for m in (*motions, *certificate.tool))
+    return certificate.tolerance is not None or any(numbers)
 
 
 def printable(name: str) -> str:
@@ -445,6 +474,11 @@ def _motion_misfits(motions: tuple[Motion, ...], where: str) -> _Misfits:
         place = f"{where}[{index}]"
         if isinstance(motion, Translate):
             yield from _row_misfits(motion.vector, 3, f"{place}.translate")
+        elif isinstance(motion, Loose):
+            yield from _axis_misfits(motion.axis, f"{place}.{motion.kind}")
+            yield from _row_misfits((motion.within,), 1, f"{place}.within")
+            if motion.within < 0:
+                yield f"{place}.within", "a negative number", "give 0 or more"
         else:
             yield from _axis_misfits(motion.axis, f"{place}.rotate")
             angle = motion.half_turns, motion.radians

@@ -29,7 +29,7 @@ from cuspaudit.certificate.balls import (
     plus,
     times,
 )
-from cuspaudit.certificate.model import Motion, Translate, Vector
+from cuspaudit.certificate.model import Loose, Motion, Translate, Vector
 
 __all__ = ["Axis", "axis_from_vector", "frame_from_motions"]
 
@@ -95,7 +95,7 @@ def axis_from_vector(v: Vector, lift: Callable[[arb], S]) -> Axis[S]:
 
 
 def frame_from_motions(motions: Iterable[Motion]) -> Frame[arb]:
-    """Return the product of the motions, left to right."""
+    """Return the product of the motions, left to right; loose ones in all values."""
     frame = identity(arb(1))
     for motion in motions:
         frame = frame.then(_frame(motion))
@@ -104,6 +104,13 @@ def frame_from_motions(motions: Iterable[Motion]) -> Frame[arb]:
 
 def _frame(motion: Motion) -> Frame[arb]:
     still = identity(arb(1))
+    if isinstance(motion, Loose):
+        axis = axis_from_vector(motion.axis, arb)
+        some = arb(0, ball_from_fraction(motion.within).upper())
+        if motion.kind == "turn":
+            return Frame(axis.rotation(*some.sin_cos()), still.p)
+        x, y, z = axis.n
+        return Frame(still.R, (times(x, some), times(y, some), times(z, some)))
     if isinstance(motion, Translate):
         return Frame(still.R, _row(map(ball_from_fraction, motion.vector)))
     sine, cosine = _sin_cos(motion.half_turns, motion.radians)

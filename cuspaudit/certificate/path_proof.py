@@ -10,6 +10,10 @@
    the path to q*;
 6. with limits, every way point and the whole box of q* are inside (`limits_proof`).
 
+With play (`play`) the same is proved for every robot that it allows: step 2 in a box
+with the second posture of each, and 5 for the way to it (`loose_posture`), 3 and 6 for
+that box, 4 by `loose_cover`.
+
 From 4 and 5 a path leads from the first posture to q* with det J != 0 all along, from 2
 and 3 both are distinct postures of one pose: this is what cuspidal means.
 """
@@ -22,13 +26,12 @@ from dataclasses import dataclass
 
 from flint import arb
 
-from cuspaudit.certificate.arm import Arm, arm_from_certificate
+from cuspaudit.certificate.arm import arm_from_certificate
 from cuspaudit.certificate.balls import ball_from_fraction, working_precision
 from cuspaudit.certificate.cover import PRECISIONS, Cover, Refusal
 from cuspaudit.certificate.determinant import jacobian_determinant
 from cuspaudit.certificate.krawczyk import (
     LARGEST_RADIUS_EXPONENT,
-    PostureBox,
     true_posture,
 )
 from cuspaudit.certificate.limits_proof import (
@@ -36,7 +39,11 @@ from cuspaudit.certificate.limits_proof import (
     check_way_points,
     within,
 )
-from cuspaudit.certificate.model import PathCertificate, printable
+from cuspaudit.certificate.loose_arm import loose_arm
+from cuspaudit.certificate.loose_cover import BITS, LooseCover
+from cuspaudit.certificate.loose_posture import second_postures
+from cuspaudit.certificate.model import PathCertificate, is_loose, printable
+from cuspaudit.certificate.play import for_every_robot, without_play
 
 __all__ = ["PathProof"]
 
@@ -53,7 +60,7 @@ class PathProof:
     """
 
     certificate: PathCertificate
-    cover: Cover
+    cover: Cover | LooseCover
     radius: float | None = None
     bits: int = PRECISIONS[0]
 
@@ -72,7 +79,7 @@ class PathProof:
         return (
             f"cuspidal: two distinct postures of {self._place()}, joined by a path "
             f"with det J {sign} 0 ({count} segment{'s' if count > 1 else ''})"
-            f"{within(self.certificate)}"
+            f"{within(self.certificate)}{for_every_robot(self.certificate)}"
         )
 
     def _place(self) -> str:
@@ -99,17 +106,21 @@ class PathProof:
             self.bits = bits
             try:
                 with working_precision(bits):
-                    return self._end_with_working_precision()
+                    values, height = self._one_end()
+                    break
             except Refusal as refusal:
                 last = refusal
-        raise last
+        else:
+            raise last
+        if not is_loose(self.certificate):
+            return height
+        with working_precision(BITS):
+            return self._all_ends(values, height)
 
-    def _end_with_working_precision(self) -> arb:
-        arm = arm_from_certificate(self.certificate, arb)
-        first, second = (
-            [ball_from_fraction(value) for value in posture]
-            for posture in self.certificate.postures
-        )
+    def _one_end(self) -> tuple[Sequence[arb], arb]:
+        """The box of the second posture of the robot without play, and the bound."""
+        arm = arm_from_certificate(without_play(self.certificate), arb)
+        first, second = self._postures()
         box = true_posture(arm, first, second)
         if box is None:
             raise Refusal(
@@ -117,23 +128,53 @@ class PathProof:
                 f"{2.0**LARGEST_RADIUS_EXPONENT:.1g} of the second posture"
             )
         self.radius = box.radius
-        if not _differs(arm, first, box):
-            raise Refusal("the two postures are the same (modulo 2 pi)")
-        check_box_inside(self.certificate, box.values, "the second posture")
+        self._check_box(box.values)
         value = jacobian_determinant(arm, box.values)
         signed = arb(0) if value is None else value * self.certificate.sign
         if not signed > 0:
             word = "has the opposite" if signed < 0 else "is not proved to have the"
             raise Refusal(f"det J {word} sign at the second posture")
-        return signed.lower()
+        return box.values, signed.lower()
+
+    def _all_ends(self, values: Sequence[arb], height: arb) -> arb:
+        """The same of every robot that the play allows."""
+        first, _ = self._postures()
+        box = second_postures(loose_arm(self.certificate), first, values)
+        if box is None:
+            raise Refusal("a second posture is not proved for every robot")
+        self.radius = box.radius
+        self._check_box(box.values)
+        if not height - box.change > 0:
+            raise Refusal(
+                "det J is not proved to have the sign at the second posture of every "
+                "robot"
+            )
+        return (height - box.change).lower()
+
+    def _postures(self) -> tuple[list[arb], list[arb]]:
+        first, second = (
+            [ball_from_fraction(value) for value in posture]
+            for posture in self.certificate.postures
+        )
+        return first, second
+
+    def _check_box(self, box: Sequence[arb]) -> None:
+        """Step 3, and 6 for the box."""
+        first, _ = self._postures()
+        if not _differs(self.certificate, first, box):
+            raise Refusal("the two postures are the same (modulo 2 pi)")
+        check_box_inside(self.certificate, box, "the second posture")
 
 
-def _differs(arm: Arm[arb], first: Sequence[arb], box: PostureBox) -> bool:
+def _differs(
+    certificate: PathCertificate, first: Sequence[arb], box: Sequence[arb]
+) -> bool:
     """Whether the box is disjoint from the first posture modulo 2 pi (step 3)."""
     turn = 2 * arb.pi()
-    for joint, a, b in zip(arm.joints, first, box.values, strict=True):
-        if joint.turns and not ((b - a) / turn).contains_integer():
+    for joint, a, b in zip(certificate.joints, first, box, strict=True):
+        turns = joint.kind == "revolute"
+        if turns and not ((b - a) / turn).contains_integer():
             return True
-        if not joint.turns and not (b - a).contains(0):
+        if not turns and not (b - a).contains(0):
             return True
     return False

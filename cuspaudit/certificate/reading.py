@@ -22,6 +22,7 @@ from cuspaudit.certificate.model import (
     Limits,
     Lock,
     LockCertificate,
+    Loose,
     Motion,
     Numbers,
     PairsCertificate,
@@ -35,6 +36,7 @@ from cuspaudit.certificate.model import (
     Translate,
     Vector,
     Word,
+    is_loose,
 )
 from cuspaudit.errors import InvalidCertificateError
 
@@ -112,7 +114,10 @@ def certificate_from_json(value: Any, place: Place) -> Certificate:
     schema = value.get("schema", SCHEMA)
     if schema == _FIRST:
         first = ("schema", "robot", "sign", "postures", "path", "made_by")
-        return _path(place.table(value, *first), place)
+        path = _path(place.table(value, *first), place)
+        if is_loose(path):
+            place.key("robot").fail("a loose number", f"only {SCHEMA} has those")
+        return path
     if schema != SCHEMA:
         found = f"unknown schema {_short(schema)}"
         place.key("schema").fail(found, f"this checker reads {_FIRST} and {SCHEMA}")
@@ -270,6 +275,11 @@ def _motion(value: Any, place: Place) -> Motion:
     if isinstance(value, dict) and "translate" in value:
         table = place.table(value, "translate")
         return Translate(_vector(table["translate"], place.key("translate")))
+    if isinstance(value, dict) and "within" in value:
+        kind: Literal["turn", "slide"] = "turn" if "turn" in value else "slide"
+        table = place.table(value, kind, "within")
+        axis = _vector(table[kind], place.key(kind))
+        return Loose(kind, axis, _number(table["within"], place.key("within")))
     table = place.table(value, "rotate", "angle")
     at = place.key("angle")
     angle = at.table(table["angle"], "pi", "rad")

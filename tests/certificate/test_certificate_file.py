@@ -116,10 +116,10 @@ def test_the_first_version_is_read() -> None:
 
 
 def test_a_claim_beyond_the_proof_is_refused(arm3: PathCertificate) -> None:
-    """A tolerance, which no step of the proof checks, is never accepted."""
+    """A tolerance of a whole metre and radian, in which no couple lasts."""
     result = verify(replace(arm3, tolerance=Tolerance(Fraction(1), Fraction(1))))
     assert not result.accepted
-    assert "does not check" in result.reason
+    assert "every robot" in result.reason
 
 
 def test_the_file_stands_alone() -> None:

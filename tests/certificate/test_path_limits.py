@@ -24,7 +24,7 @@ def test_a_path_inside_its_limits_is_accepted(arm6: PathCertificate) -> None:
     """With room of 1e-6 the claim within limits is proved, and says so."""
     result = verify(replace(arm6, limits=around(arm6, 1000 * TINY)))
     assert result.accepted
-    assert result.reason.endswith("inside the joint limits")
+    assert result.reason.endswith("inside the joint limits, for these numbers")
 
 
 def test_a_way_point_outside_by_a_nanoradian_is_refused(arm6: PathCertificate) -> None:
