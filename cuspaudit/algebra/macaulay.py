@@ -33,7 +33,7 @@ from cuspaudit.algebra.ideal import Exponents, as_exponents, degree_reverse_key
 from cuspaudit.algebra.ring import Polynomial, Ring
 from cuspaudit.algebra.trigonometric import primitive
 
-__all__ = ["bezout_number", "multiples_bound"]
+__all__ = ["bezout_number", "monomials", "multiples_bound", "times"]
 
 PRIME = (1 << 61) - 1
 _MOST_ENTRIES = 2_000_000
@@ -67,7 +67,7 @@ def multiples_bound(
         columns = {e for row in multiples for e in row}
         if len(multiples) * len(columns) > _MOST_ENTRIES:
             return False
-        if _proves(multiples, columns, set(_monomials(n, degree)), points):
+        if _proves(multiples, columns, set(monomials(n, degree)), points):
             return True
         degree += 1
     return False
@@ -114,7 +114,7 @@ def _proves(
     if len(kept) < points:
         return False
     one = min(lowest, key=sum)
-    needed = {_shifted(b, j) for b in kept for j, _ in enumerate(one)} | {one}
+    needed = {times(b, j) for b in kept for j, _ in enumerate(one)} | {one}
     while rows:
         used = {e for row in rows for e in row} | needed
         upwards = sorted(used - kept, key=degree_reverse_key)
@@ -151,14 +151,14 @@ def _row(ring: Ring, polynomial: Polynomial) -> Row:
 
 
 def _multiples(row: Row, n: int, degree: int) -> Iterator[Row]:
-    for shift in _monomials(n, degree - _degree(row)):
+    for shift in monomials(n, degree - _degree(row)):
         yield {
             tuple(a + b for a, b in zip(e, shift, strict=True)): c
             for e, c in row.items()
         }
 
 
-def _monomials(n: int, degree: int) -> Iterator[Exponents]:
+def monomials(n: int, degree: int) -> Iterator[Exponents]:
     """The exponents of n variables of total degree at most ``degree``."""
     if degree < 0:
         return
@@ -166,7 +166,7 @@ def _monomials(n: int, degree: int) -> Iterator[Exponents]:
         yield ()
         return
     for first in range(degree + 1):
-        for rest in _monomials(n - 1, degree - first):
+        for rest in monomials(n - 1, degree - first):
             yield (first, *rest)
 
 
@@ -174,7 +174,8 @@ def _degree(row: Row) -> int:
     return max(sum(e) for e in row)
 
 
-def _shifted(m: Exponents, j: int) -> Exponents:
+def times(m: Exponents, j: int) -> Exponents:
+    """The exponents of the monomial times x_j."""
     return (*m[:j], m[j] + 1, *m[j + 1 :])
 
 

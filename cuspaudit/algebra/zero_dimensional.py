@@ -7,15 +7,18 @@ Two routes, the cheaper first; each result names the ground of its completeness.
 - msolve, whose answer is probabilistic. That its points are solutions is proved by
   substitution modulo omega; that none is missing, by a bound on the dimension of the
   quotient algebra: the leading monomials of the exact basis, or the rank of a matrix
-  of multiples of the equations modulo a prime (`algebra.macaulay`), or for two curves
-  in a plane a resultant and gcds (`algebra.plane_bound`).
+  of multiples of the equations modulo a prime (`algebra.macaulay`), or elements of the
+  ideal over Q, of bounded degree (`algebra.border_bound`), or for two curves in a plane
+  a resultant and gcds (`algebra.plane_bound`).
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 
+from cuspaudit.algebra.border_bound import border_bound
 from cuspaudit.algebra.finite_algebra import (
     FiniteAlgebra,
     parametrization_of,
@@ -39,6 +42,7 @@ BASIS = "exact Groebner basis"
 BEZOUT = "Bezout number met"
 PLANE = "resultant, and gcds modulo 62-bit primes"
 MULTIPLES = "rank of multiples modulo 2^61 - 1"
+BORDER = "elements of the ideal of bounded degree"
 _SMALL = 30
 _PARTIAL = (100, 1000, 1000)
 
@@ -47,6 +51,7 @@ def solve_zero_dimensional(
     system: PolynomialSystem,
     *,
     nonzero: Polynomial | None = None,
+    variables: Sequence[str] | None = None,
     timeout: float = 60,
     seed: int = 1,
 ) -> ZeroDimensionalParametrization:
@@ -58,6 +63,8 @@ def solve_zero_dimensional(
     Args:
         system: f in Q[x_1..x_n], any number of equations.
         nonzero: h in the same ring.
+        variables: coordinates of the ring that are wanted, which separate the points;
+            all of them by default. Not together with ``nonzero``.
         timeout: of msolve, in s; the exact route has limits of its own.
         seed: of the linear forms.
 
@@ -76,7 +83,8 @@ def solve_zero_dimensional(
     equations = [p for p in system.equations if p != 0]
     if nonzero is not None:
         equations = [_without_factors_of(nonzero, p) for p in equations]
-    plain = Posed(system.ring, tuple(equations), system.ring.variables)
+    wanted = system.ring.variables if variables is None else tuple(variables)
+    plain = Posed(system.ring, tuple(equations), wanted)
     if nonzero is None:
         return _exact(plain, timeout, seed) or _by_msolve(plain, timeout, seed)
     ring, lifted = with_inverse(plain.ring, plain.equations, nonzero)
@@ -162,6 +170,8 @@ def _by_msolve(
     for system in (elements, posed.equations):
         if multiples_bound(posed.ring, system, found.degree, timeout / 20):
             return replace(found, grounds=(MULTIPLES,))
+    if border_bound(posed.ring, posed.equations, found.degree):
+        return replace(found, grounds=(BORDER,))
     raise UnableError(
         "solve_zero_dimensional",
         f"{found.degree} points found; not proved that there are no others",
