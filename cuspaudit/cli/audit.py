@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from cuspaudit.cli.chains import audit_chains, check_alone
 from cuspaudit.cli.exit_codes import OF_VERDICT
+from cuspaudit.cli.free import audit_every_lock, audit_free, refuse_beside_free
 from cuspaudit.cli.mechanisms import audit_mechanism, mechanism_named, no_arm
 from cuspaudit.cli.opening import open_named, package_folders, xacro_arguments
 from cuspaudit.cli.options import (
@@ -23,6 +24,9 @@ from cuspaudit.cli.outlet import JsonFile, check_outlets, write_json
 from cuspaudit.cli.robot_options import RobotOptions, with_robot_options
 from cuspaudit.cli.running import run_audit
 from cuspaudit.cli.summary import print_summary
+
+if TYPE_CHECKING:
+    from cuspaudit.robot.robot import Robot
 
 __all__ = ["audit"]
 
@@ -61,6 +65,14 @@ def audit(
             help="Exit code and certificate of the verdict within the joint limits.",
         ),
     ] = False,
+    free: Annotated[
+        str | None,
+        typer.Option(
+            metavar="JOINT",
+            help="Cover all values at which this joint, one to spare, may be locked. "
+            "Exit 1 where every proved interval is cuspidal.",
+        ),
+    ] = None,
     exit_zero: Annotated[
         bool, typer.Option("--exit-zero", help="Exit 0 whatever the verdict.")
     ] = False,
@@ -68,6 +80,7 @@ def audit(
     """Import, decide, certify, cross-check and report: the main job."""
     from cuspaudit.auditing.certificates import certificate_text
     from cuspaudit.auditing.proof_record import proof_record
+    from cuspaudit.robot.proposals import check_task
     from cuspaudit.runtime.waiting import waited
     from cuspaudit.runtime.writing import write_text
 
@@ -76,13 +89,14 @@ def audit(
     if mechanism is not None:
         no_arm(
             "audit",
-            reading.by_flag() | {"--certificate": certificate, "--all": every},
+            reading.by_flag()
+            | {"--certificate": certificate, "--all": every, "--free": free},
         )
         audit_mechanism(mechanism, json_file, html, seed, timeout, exit_zero)
     if every:
         check_alone(
             reading.by_flag("base", "package", "xacro_arg")
-            | {"--html": html, "--certificate": certificate}
+            | {"--html": html, "--certificate": certificate, "--free": free}
         )
         audit_chains(
             *(robot, reading.base, json_file, engine.value, snap, seed, timeout),
@@ -90,7 +104,15 @@ def audit(
             xacro_args=xacro_arguments(reading.xacro_arg),
         )
         return
-    opened = open_named(robot, reading)
+    opened = open_named(robot, reading, square=False)
+    if free:
+        refuse_beside_free({"--certificate": certificate})
+        audit_free(
+            *(opened, free, json_file, html, snap, seed, timeout, within, exit_zero)
+        )
+    if _is_left_to_choose(opened, html, certificate):
+        audit_every_lock(opened, json_file, snap, seed, timeout, exit_zero)
+    check_task(opened.chain, opened.file)
     result = run_audit(opened, seed, timeout, snap, engine.value)
     proof = certificate_text(result, within)
     written = str(certificate) if certificate and proof else None
@@ -114,3 +136,10 @@ def audit(
         print_summary(record, kept)
     asked = record["limits"] if within and record["limits"] else record
     raise typer.Exit(0 if exit_zero else OF_VERDICT[asked["verdict"]])
+
+
+def _is_left_to_choose(opened: Robot, *files: Path | None) -> bool:
+    """Whether a joint is to spare and nothing is asked that needs one verdict."""
+    from cuspaudit.auditing.free_joint.free_joint import lockable
+
+    return not any(files) and bool(lockable(opened))
