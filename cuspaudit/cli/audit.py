@@ -114,7 +114,7 @@ def audit(
         audit_every_lock(opened, json_file, snap, seed, timeout, exit_zero)
     check_task(opened.chain, opened.file)
     result = run_audit(opened, seed, timeout, snap, engine.value)
-    proof = certificate_text(result, within)
+    proof = certificate_text(result, within) if certificate or html else None
     written = str(certificate) if certificate and proof else None
     record = result.record(*((None, written) if within else (written, None)))
     record["seconds"]["total"] = round(waited(), 4)

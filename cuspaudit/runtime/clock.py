@@ -20,6 +20,7 @@ __all__ = [
     "Progress",
     "check_time",
     "seconds_left",
+    "time_at_least",
     "time_is_up",
     "time_left",
     "time_limit",
@@ -44,6 +45,24 @@ def time_limit(seconds: float | None) -> Iterator[None]:
         yield
         return
     token = _LIMIT.set((time.perf_counter() + seconds, seconds))
+    try:
+        yield
+    finally:
+        _LIMIT.reset(token)
+
+
+@contextmanager
+def time_at_least(seconds: float) -> Iterator[None]:
+    """Put off a limit that leaves the block less than so many seconds.
+
+    For what is quick and ends well where something long was stopped.
+    """
+    limit = _LIMIT.get()
+    end = time.perf_counter() + seconds
+    if limit is None or limit[0] >= end:
+        yield
+        return
+    token = _LIMIT.set((end, seconds))
     try:
         yield
     finally:

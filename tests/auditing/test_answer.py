@@ -78,11 +78,17 @@ def test_an_unknown_structure_is_undecided() -> None:
     assert found.aspects is found.postures is found.cusps is found.nodes is None
 
 
-def test_a_limit_is_undecided_and_named() -> None:
+def test_a_limit_is_undecided_and_named(monkeypatch: pytest.MonkeyPatch) -> None:
     """A step that gives up makes the answer UNDECIDED and keeps its name.
 
-    No later step makes up for it, since the time is up for each.
+    Where tiles are unable too, no later step makes up for it, since the time is up for
+    each.
     """
+
+    def unable(*_: object) -> None:
+        raise UnableError("pair tiles", "open")
+
+    monkeypatch.setattr("cuspaudit.auditing.deciders.by_tiles.decide_by_tiles", unable)
     steps: list[str] = []
 
     def stop(step: str) -> None:

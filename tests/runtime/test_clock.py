@@ -11,7 +11,7 @@ from cuspaudit.auditing.audit import audit
 from cuspaudit.errors import TimeLimitError, UnableError
 from cuspaudit.robot.library import open_robot
 from cuspaudit.runtime import clock as module
-from cuspaudit.runtime.clock import Clock, check_time, time_limit
+from cuspaudit.runtime.clock import Clock, check_time, time_at_least, time_limit
 
 
 @pytest.fixture
@@ -74,3 +74,14 @@ def test_an_earlier_limit_stays() -> None:
             time.sleep(0.001)
             check_time("here")
         check_time("here")
+
+
+def test_what_is_quick_may_put_off_a_limit() -> None:
+    """Inside, time is left again; afterwards the limit that has passed is back."""
+    with time_limit(0.0):
+        with time_at_least(60.0):
+            check_time("inside")
+        with pytest.raises(TimeLimitError, match="after"):
+            check_time("after")
+    with time_limit(60.0), time_at_least(0.0):
+        check_time("a longer limit stays")

@@ -7,6 +7,7 @@ from dataclasses import replace
 from cuspaudit.auditing.answer import Answer, Reason, stopped, undecided
 from cuspaudit.auditing.aspects import count_aspects
 from cuspaudit.auditing.case import Case
+from cuspaudit.auditing.deciders.by_tiles import by_tiles
 from cuspaudit.auditing.deciders.three_joints import by_all_pairs, by_sample_values
 from cuspaudit.count import Count
 from cuspaudit.cuspidality.verdict import Verdict
@@ -73,7 +74,8 @@ def _of_three(case: Case, regional: ExactModel, clock: Clock) -> Answer:
     case = replace(case, model=regional, so_far=None)
     found = by_sample_values(case, clock)
     found = by_all_pairs(replace(case, so_far=found), clock) or found
-    assert found is not None, "one of the two has an answer"
+    found = by_tiles(replace(case, so_far=found), clock) or found
+    assert found is not None, "sample values have an answer"
     return found
 
 

@@ -52,9 +52,10 @@ def _when_open(file: str, name: str) -> Callable[[Case, Clock], Answer | None]:
 _BY_SEARCH = Decider("search", _when_open("by_search", "by_search"))
 
 EXACT = (
-    Decider("decide", by_tiles),
+    Decider("decide", by_tiles),  # where the verdict alone is asked for
     Decider("decide", by_sample_values),
     Decider("decide", by_all_pairs),
+    Decider("decide", by_tiles),  # where those did not come to an end
     Decider("decide", by_theorem),
 )
 """Exact engines and theorems alone."""
