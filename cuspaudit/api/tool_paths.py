@@ -21,7 +21,7 @@ from cuspaudit.robot.snap_policy import policy_from_name
 from cuspaudit.robot.snapping import snap as snapped
 from cuspaudit.runtime.writing import write_text
 from cuspaudit.toolpath.joint_pose import JointValue, pose_of_joints
-from cuspaudit.toolpath.postures import Posture, list_postures, postures_record
+from cuspaudit.toolpath.postures import Posture, held_to, list_postures, postures_record
 from cuspaudit.toolpath.reading import (
     checked_path,
     closed_path,
@@ -200,6 +200,8 @@ def postures(
                 expected="give quaternion=[w, x, y, z]",
             )
     found = list_postures(arm, pose, seed, timeout=timeout)
+    if q is not None:
+        found = held_to(found, _joints(q, arm, "q"))
     record = postures_record(found, robot.name, robot.file)
     return Postures(
         found.postures, found.complete, found.whole_curves, found.why, record

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from decimal import ROUND_DOWN, Decimal
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -60,8 +62,8 @@ def postures(
     from cuspaudit.robot.snap_policy import policy_from_name
     from cuspaudit.robot.snapping import snap as snapped
     from cuspaudit.runtime.writing import write_text
-    from cuspaudit.toolpath.asked import asked_pose
-    from cuspaudit.toolpath.postures import list_postures, postures_record
+    from cuspaudit.toolpath.asked import asked_pose, joint_vector
+    from cuspaudit.toolpath.postures import held_to, list_postures, postures_record
     from cuspaudit.toolpath.traced_arm import traced_arm
 
     check_outlets(json_file, html)
@@ -70,6 +72,8 @@ def postures(
     pose = asked_pose(arm, joints, position, quaternion, rpy)
     with progress_bar(STEPS) as step:
         found = list_postures(arm, pose, seed, step, timeout)
+    if joints is not None:
+        found = held_to(found, joint_vector(joints, arm.robot_chain, "--joints"))
     record = postures_record(found, opened.name, opened.file)
     if html:
         from cuspaudit.pictures.tool_path import postures_drawing
@@ -88,14 +92,16 @@ def _print(record: dict[str, Any]) -> None:
     console.print(f"{record['robot']['name']}: {count} postures ({known})")
     for number, posture in enumerate(record["postures"]):
         sign = {1: "+", -1: "-", 0: "0", None: "?"}[posture["sign"]]
-        near = posture["nearest_singular"]
+        near, least = posture["nearest_singular"], posture["nonsingular_within"]
         parts = [
             f"{number}",
             ", ".join(f"{value:.4f}" for value in posture["values"]),
             f"det J {posture['determinant']:.4g} ({sign})",
             "" if posture["aspect"] is None else f"aspect {posture['aspect']}",
             "" if posture["inside"] else "outside the limits",
+            _isolated(posture) if record["whole_curves"] else "",
             "" if near is None else f"{near * 57.29578:.1f} deg from singular",
+            "" if least is None else f"(proved: {_rounded_down(least)} deg at least)",
         ]
         console.print("  ".join(part for part in parts if part), markup=False)
     if record["whole_curves"]:
@@ -104,3 +110,13 @@ def _print(record: dict[str, Any]) -> None:
         )
     if record["why"]:
         console.print(f"note: {record['why']}")
+
+
+def _isolated(posture: Mapping[str, Any]) -> str:
+    """Whether a posture is alone, at a pose that whole curves of them may have."""
+    return "isolated" if posture["proved"] else "perhaps on a whole curve"
+
+
+def _rounded_down(angle: float) -> str:
+    """An angle in degrees, rounded down to three digits."""
+    return str(Decimal(angle * 57.29577).quantize(Decimal("0.001"), ROUND_DOWN))

@@ -1,18 +1,33 @@
-"""How near a posture is to a singular one, or to a limit: searched, not proved."""
+"""How near a posture is to a singular one, or to a limit.
+
+What is searched is a singular posture near by: the distance to the nearest one is no
+larger. That it is no smaller than some margin is proved in balls
+(`certificate.posture_margin`).
+"""
 
 from __future__ import annotations
 
+import math
 from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
 
+from cuspaudit.auditing.witness import certificate_of
+from cuspaudit.certificate.posture_margin import posture_margin
 from cuspaudit.toolpath.limits import joint_ranges
 from cuspaudit.toolpath.runs import FreeRun
 from cuspaudit.toolpath.trace import Run, Trace
 from cuspaudit.toolpath.traced_arm import TracedArm
+from cuspaudit.toolpath.tube import Knot
 
-__all__ = ["limit_margin", "recommended", "singular_distance", "singular_margin"]
+__all__ = [
+    "limit_margin",
+    "proved_distance",
+    "recommended",
+    "singular_distance",
+    "singular_margin",
+]
 
 Array = NDArray[np.float64]
 
@@ -65,6 +80,26 @@ def singular_distance(arm: TracedArm, values: Array) -> float:
         if size < 1e-7:
             break
     return best
+
+
+def proved_distance(arm: TracedArm, knot: Knot) -> float | None:
+    """A lower bound of the distance of a posture to every singular one, rad; proved.
+
+    Euclidean over the joints; None for arms that slide, or where none is proved. The
+    bound is proved for the doubles next to the posture, from which it is at most the
+    length of the box away.
+
+    Args:
+        arm: the arm.
+        knot: round the posture.
+    """
+    here = knot.at[:-1] * arm.scales
+    away = float(np.linalg.norm(knot.reach[:-1])) * (1 + 1e-9)
+    # the sign is not looked at
+    margin = posture_margin(certificate_of(arm.chain, 1, np.array([here, here])))
+    if margin is None or margin <= away:
+        return None
+    return math.nextafter(margin - away, 0.0)
 
 
 def singular_margin(arm: TracedArm, run: Run) -> float:

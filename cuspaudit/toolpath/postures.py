@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Hashable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -12,16 +12,22 @@ from flint import arb, ctx
 from cuspaudit.runtime.clock import time_limit
 from cuspaudit.toolpath.aspect_labels import aspect_labels
 from cuspaudit.toolpath.ball_arm import BITS
+from cuspaudit.toolpath.joint_pose import JointValue, float_values
 from cuspaudit.toolpath.limits import joint_ranges, windings
-from cuspaudit.toolpath.margins import determinant, singular_distance
+from cuspaudit.toolpath.margins import determinant, proved_distance, singular_distance
 from cuspaudit.toolpath.starts import solve_pose
 from cuspaudit.toolpath.strands import Known, known_postures
 from cuspaudit.toolpath.traced_arm import TracedArm
 from cuspaudit.toolpath.waypoints import Pose
 
-__all__ = ["Posture", "PostureList", "list_postures", "postures_record"]
+__all__ = ["Posture", "PostureList", "held_to", "list_postures", "postures_record"]
 
 SCHEMA = "cuspaudit/postures/1"
+_SAME = 1e-7
+_TORN = (
+    "the joint vector is singular, or nearly so, and not among them: its pose rounded "
+    "to 1e-15 is another pose, whose postures these are"
+)
 
 
 @dataclass(frozen=True)
@@ -37,6 +43,8 @@ class Posture:
         inside: whether a winding of it lies within the limits.
         windings: those that do, as whole turns to add to ``values``.
         nearest_singular: distance to a singular posture near by, rad; searched.
+        nonsingular_within: no posture nearer than that is singular, rad, proved; None
+            for arms that slide, or where nothing is proved.
         proved: whether a ball holds exactly one posture of the arm's own numbers here.
     """
 
@@ -47,6 +55,7 @@ class Posture:
     inside: bool
     windings: tuple[tuple[int, ...], ...]
     nearest_singular: float
+    nonsingular_within: float | None
     proved: bool
 
 
@@ -60,7 +69,8 @@ class PostureList:
         postures: sorted by aspect, then by the sign of det J.
         complete: whether no other posture exists, proved.
         whole_curves: whether infinitely many complex postures have the pose: real ones
-            may form whole curves, of which no posture is listed.
+            may form whole curves. Of those listed the proved ones are isolated, the
+            others may be points of such a curve.
         aspects: how many the arm has, proved; None where not.
         grounds: what ``complete`` rests on.
         why: why the list is not complete, or "".
@@ -132,6 +142,29 @@ def list_postures(
     )
 
 
+def held_to(found: PostureList, values: Sequence[JointValue]) -> PostureList:
+    """The list, where the joint vector that its pose was taken from is in it.
+
+    The pose of a joint vector is rounded to 1e-15. At a regular posture this moves the
+    postures by about as much. At a singular one it may tear whole curves of postures,
+    or two that coincide, into others: then the list is one of another pose, and is not
+    called complete.
+
+    Args:
+        found: the postures of `pose_of_joints`.
+        values: the joint vector.
+    """
+    given = np.array(float_values(values))
+    n = found.arm.joints
+    turning, scales = found.arm.turning[:n], found.arm.scales[:n]
+    for posture in found.postures:
+        gap = np.array(posture.values) - given
+        gap = np.where(turning, 2 * np.sin(gap / 2), gap / scales)
+        if np.abs(gap).max() < _SAME:
+            return found
+    return replace(found, complete=False, why=_TORN) if found.complete else found
+
+
 def _balls(arm: TracedArm, known: Known) -> list[arb]:
     assert known.knot is not None
     balls = known.knot.balls()[:-1]
@@ -153,6 +186,7 @@ def _posture(arm: TracedArm, known: Known, aspect: int | None) -> Posture:
         bool(inside),
         tuple(inside),
         singular_distance(arm, known.values),
+        None if known.knot is None else proved_distance(arm, known.knot),
         known.knot is not None,
     )
 
@@ -183,6 +217,7 @@ def postures_record(found: PostureList, name: str, file: str) -> dict[str, Any]:
                 "inside": posture.inside,
                 "windings": [list(turns) for turns in posture.windings],
                 "nearest_singular": _finite(posture.nearest_singular),
+                "nonsingular_within": posture.nonsingular_within,
                 "proved": posture.proved,
             }
             for posture in found.postures

@@ -178,7 +178,7 @@ def _row(record: Mapping[str, Any], k: int) -> dict[str, Any]:
 
 
 def _posture(posture: Mapping[str, Any]) -> dict[str, Any]:
-    near = posture["nearest_singular"]
+    near, least = posture["nearest_singular"], posture["nonsingular_within"]
     return {
         "joints": _values(posture["values"]),
         "determinant": f"{posture['determinant']:.4g}",
@@ -187,6 +187,7 @@ def _posture(posture: Mapping[str, Any]) -> dict[str, Any]:
         "inside": posture["inside"],
         "windings": len(posture["windings"]),
         "near": "" if near is None else _angle(near),
+        "least": "" if least is None else f"{math.floor(least * 572.9577) / 10}°",
     }
 
 

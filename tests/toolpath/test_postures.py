@@ -11,7 +11,7 @@ from cuspaudit.robot.frames import frames
 from cuspaudit.robot.library import open_robot
 from cuspaudit.robot.snapping import snap
 from cuspaudit.toolpath.asked import asked_pose, joint_vector, quaternion_of_rpy
-from cuspaudit.toolpath.postures import list_postures, postures_record
+from cuspaudit.toolpath.postures import held_to, list_postures, postures_record
 from cuspaudit.toolpath.traced_arm import traced_arm
 from cuspaudit.toolpath.waypoints import Pose
 from tests.toolpath.traced_arms import crx, mirror
@@ -111,3 +111,34 @@ def test_postures_of_an_arm_with_a_slide_are_searched_and_not_called_complete() 
     ]
     assert min(gaps) < 1e-9 and not found.complete
     assert all(posture.proved for posture in found.postures)
+
+
+def test_the_distance_to_a_singular_posture_is_bounded_from_below() -> None:
+    """What is proved is at most what is searched, and most of it for three joints."""
+    found = list_postures(mirror(), asked_pose(mirror(), "0.1,-1,1.2", *[None] * 3))
+    for posture in found.postures:
+        assert posture.nonsingular_within is not None
+        assert 0 < posture.nonsingular_within <= posture.nearest_singular
+
+
+@pytest.mark.parametrize(
+    "joints", ["0.1,-1,1.2,0.3,0,0", "0.1,-1,0,0.3,0.4,0", "1,-1,1.2,0.3,3.141592653,0"]
+)
+def test_a_singular_joint_vector_is_no_posture_of_its_rounded_pose(joints: str) -> None:
+    """A UR5 with a wrist that turns on the spot, or stretched: not called complete."""
+    arm = traced_arm(snap(open_robot("ur5_robot").chain)[0])
+    found = list_postures(arm, asked_pose(arm, joints, None, None, None))
+    held = held_to(found, joint_vector(joints, arm.robot_chain, "--joints"))
+    given = np.array([float(x) for x in joints.split(",")])
+    gaps = [np.abs(2 * np.sin((p.values - given) / 2)).max() for p in held.postures]
+    assert (min(gaps) < 1e-6) == held.complete
+    assert not held.complete and "another pose" in held.why
+
+
+def test_a_regular_joint_vector_is_a_posture_of_its_pose() -> None:
+    """The list is the same, and stays complete."""
+    arm = traced_arm(snap(open_robot("ur5_robot").chain)[0])
+    joints = "0.1,-1,1.2,0.3,0.4,7"
+    found = list_postures(arm, asked_pose(arm, joints, None, None, None))
+    held = held_to(found, joint_vector(joints, arm.robot_chain, "--joints"))
+    assert held is found and held.complete
