@@ -33,7 +33,7 @@ from cuspaudit.robot.virtual_joint import with_virtual_joint
 from cuspaudit.runtime.clock import Clock, time_limit
 
 if TYPE_CHECKING:
-    from cuspaudit.auditing.within_limits import WithinLimits
+    from cuspaudit.auditing.limits_result import WithinLimits
     from cuspaudit.robot.chain import Chain
 
 __all__ = ["Audit", "Options", "audit"]

@@ -14,7 +14,7 @@ from cuspaudit.robot.chain import Chain
 from cuspaudit.robot.virtual_joint import with_virtual_joint
 
 if TYPE_CHECKING:
-    from cuspaudit.auditing.within_limits import WithinLimits
+    from cuspaudit.auditing.limits_result import WithinLimits
 
 __all__ = ["certificate_of_audit", "certificate_text"]
 

@@ -23,6 +23,7 @@ __all__ = [
     "has_limits",
     "interval_of",
     "limit_of",
+    "outer_limits",
     "ranges_of",
     "rational_limits",
     "width_of",
@@ -55,6 +56,14 @@ def rational_limits(chain: Chain) -> Limits:
     """
     return tuple(
         None if pair is None else (_above(pair[0]), -_above(-pair[1]))
+        for pair in map(_pair, chain.joints)
+    )
+
+
+def outer_limits(chain: Chain) -> Limits:
+    """Limits as rational numbers, not inside the chain's, and at most 1e-30 outside."""
+    return tuple(
+        None if pair is None else (-_above(-pair[0]), _above(pair[1]))
         for pair in map(_pair, chain.joints)
     )
 

@@ -24,8 +24,8 @@ if TYPE_CHECKING:
     from cuspaudit.auditing.as_written import AsWritten
     from cuspaudit.auditing.crosscheck.compare import CrossCheck
     from cuspaudit.auditing.cusp_witness import CuspWitness
+    from cuspaudit.auditing.limits_result import WithinLimits
     from cuspaudit.auditing.structures import Structure
-    from cuspaudit.auditing.within_limits import WithinLimits
     from cuspaudit.auditing.witness import Witness
 
 __all__ = ["PACKAGES", "SCHEMA", "Audit"]

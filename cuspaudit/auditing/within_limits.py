@@ -16,6 +16,8 @@ postures lie in one component of {det J != 0} there. What decides, in the order 
   in one aspect of the three, all inside their limits, so where those are noncuspidal
   within their limits the arm is within its own. The other way asks more of a wrist: a
   path of the three is lifted to all six where one is met that the wrist can follow.
+- *Pairs apart*, for small boxes of six joints (`auditing.pairs_apart`).
+- *A search* for a path inside the limits of six joints (`search.box_search`).
 
 Each is about the model that the verdict is about; a proof for the numbers of the file
 is added where there is one.
@@ -24,14 +26,14 @@ is added where there is one.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from itertools import chain as chain_of
 from itertools import islice
-from typing import Any
 
 from cuspaudit.auditing.answer import Answer
 from cuspaudit.auditing.cusp_witness import CuspWitness, find_cusps, same_cusp
 from cuspaudit.auditing.joint_limits import has_limits, interval_of
+from cuspaudit.auditing.limits_result import FreeWitness, WithinLimits
 from cuspaudit.auditing.limits_witness import (
     first_proved,
     limited,
@@ -39,96 +41,21 @@ from cuspaudit.auditing.limits_witness import (
     paths_of_cusps,
     slack,
 )
+from cuspaudit.auditing.pairs_apart import pairs_apart
+from cuspaudit.auditing.search.box_search import paths_inside
 from cuspaudit.auditing.three_in_box import ThreeInBox, aspects_in_box, decide_three
 from cuspaudit.auditing.witness import Witness
-from cuspaudit.count import Count
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import RetryableError, UnableError
 from cuspaudit.robot.chain import Chain
 from cuspaudit.runtime.clock import Clock
 
-__all__ = ["FreeWitness", "WithinLimits", "within_limits"]
+__all__ = ["within_limits"]
 
 _EXACT = ("FLINT resultants", "FLINT root isolation", "ball arithmetic")
 _WRISTS = ("spherical wrist", "spherical shoulder")
 _CUSPS = 2
-
-
-@dataclass(frozen=True)
-class FreeWitness:
-    """Whether the path that is shown without limits stays inside them.
-
-    Attributes:
-        inside: whether it does.
-        leaves: the first joint that leaves its limits, and where; None if inside.
-    """
-
-    inside: bool
-    leaves: str | None
-
-
-@dataclass(frozen=True, eq=False)
-class WithinLimits:
-    """The verdict within joint limits, and its grounds.
-
-    Attributes:
-        verdict: one of three.
-        why: one sentence.
-        kind: of the proof: "monotony", "cusp", "witness", "exact", "reduction", "none".
-        rests_on: what it rests on.
-        joints: name, lower and upper limit of each joint of the robot.
-        aspects: components of {det J != 0} within the limits; None if not counted.
-        witness: a path inside the limits, proved; for the literal chain if possible.
-        cusp: inside the limits, proved.
-        slack: how near the path comes to a limit, rad or the unit of length.
-        free: of the path that is the witness without limits; None without one.
-    """
-
-    verdict: Verdict
-    why: str
-    kind: str
-    rests_on: tuple[str, ...]
-    joints: tuple[tuple[str, float | None, float | None], ...]
-    aspects: Count | None = None
-    witness: Witness | None = None
-    cusp: CuspWitness | None = None
-    slack: float | None = None
-    free: FreeWitness | None = None
-
-    def record(self, certificate: str | None = None) -> dict[str, Any]:
-        """The key ``limits`` of an audit's JSON."""
-        counted = self.aspects or Count(0, False)
-        return {
-            "verdict": self.verdict.value,
-            "why": self.why,
-            "proof": {"kind": self.kind, "rests_on": list(self.rests_on)},
-            "joints": [
-                {"name": name, "lower": lower, "upper": upper}
-                for name, lower, upper in self.joints
-            ],
-            "aspects": {
-                "count": counted.count if self.aspects else None,
-                "proved": counted.proved,
-            },
-            "witness": self._witness(certificate),
-            "cuts": None,
-            "of_the_free_witness": None
-            if self.free is None
-            else {"inside": self.free.inside, "leaves": self.free.leaves},
-        }
-
-    def _witness(self, certificate: str | None) -> dict[str, Any] | None:
-        own = len(self.joints)
-        if self.witness is None:
-            return None
-        path = [[float(v) for v in row[:own]] for row in self.witness.path]
-        return {
-            "postures": [path[0], path[-1]],
-            "path": path,
-            "clearance": self.witness.clearance,
-            "slack": self.slack,
-            "certificate": certificate,
-        }
+_TRIES = 12
 
 
 def within_limits(
@@ -167,22 +94,64 @@ def within_limits(
         result = _cuspidal(nothing, found, literal, seed) or _exactly(
             nothing, found, literal, clock
         )
+        if result is None or result.verdict is Verdict.UNDECIDED:
+            open_ = result or replace(nothing, why=_open_sentence(found))
+            return _of_six(open_, found, literal, seed)
+        if result.verdict is Verdict.CUSPIDAL and result.witness is None:
+            return _to_look_at(result, found, literal, seed, clock)
     except (UnableError, RetryableError) as error:
         return replace(nothing, why=str(error))
-    if result is None:
-        return replace(nothing, why=_open_sentence(found))
-    if result.verdict is Verdict.CUSPIDAL and result.witness is None:
-        return _to_look_at(result, found, literal, clock)
     return result
 
 
-def _to_look_at(
-    result: WithinLimits, found: Answer, literal: Chain, clock: Clock
+def _of_six(
+    open_: WithinLimits, found: Answer, literal: Chain, seed: int
 ) -> WithinLimits:
-    """A CUSPIDAL by a cusp alone, with a path where the exact route leads to one."""
-    if found.model.chain.task != "position" or result.kind != "cusp":
+    """Six joints: that no pairs of postures are in one aspect, or a path searched."""
+    if found.model.chain.task != "pose":
+        return open_
+    apart = pairs_apart(found.model)
+    if apart is not None:
+        return replace(
+            open_,
+            verdict=Verdict.NONCUSPIDAL,
+            why=apart.sentence(),
+            kind="apart",
+            rests_on=("ball arithmetic",),
+        )
+    witness = _searched(found, literal, seed)
+    if witness is None:
+        why = f"{open_.why}; a search inside the limits met no path that was proved"
+        return replace(open_, why=why)
+    return _shown(
+        replace(
+            open_,
+            verdict=Verdict.CUSPIDAL,
+            why="a search inside the limits met a path between postures of one pose",
+            kind="witness",
+            rests_on=("ball arithmetic",),
+        ),
+        witness,
+    )
+
+
+def _searched(found: Answer, literal: Chain, seed: int) -> Witness | None:
+    """A path that a search inside the limits of six joints meets."""
+    chain = found.model.chain
+    limits = [interval_of(joint) for joint in chain.joints]
+    paths = islice(paths_inside(chain, limits, seed), _TRIES)
+    return first_proved(paths, (literal, chain))
+
+
+def _to_look_at(
+    result: WithinLimits, found: Answer, literal: Chain, seed: int, clock: Clock
+) -> WithinLimits:
+    """A CUSPIDAL by a cusp alone, with a path to look at where one is met."""
+    if result.kind != "cusp":
         return result
     try:
+        if found.model.chain.task != "position":
+            return _shown(result, _searched(found, literal, seed))
         return _with_path(result, found, decide_three(found.model, clock), literal)
     except (UnableError, RetryableError):
         return result

@@ -167,6 +167,30 @@ class TaskMap:
 
     def columns(self, q: Array) -> tuple[Array, Array]:
         """Angular velocities and tip velocities of the joints, (m, n, 3) each."""
+        axes, origins, placed = self._placed(q)
+        tip = placed[:, :3, 3]
+        n = np.stack(axes, 1)
+        arm = tip[:, None] - np.stack(origins, 1)
+        turns = self.turns[None, :, None]
+        v = np.where(turns, _cross(n, arm) / self.size, n)
+        return np.where(turns, n, 0.0), v
+
+    def poses(self, q: Array) -> Array:
+        """The poses of the tip, (m, 4, 4), in the unit of the chain."""
+        return self._placed(q)[2]
+
+    def matrices(self, q: Array) -> Array:
+        """J at many postures, (m, 3, 3) or (m, 6, 6)."""
+        w, v = self.columns(q)
+        matrix = np.concatenate([v, w], 2) if w.shape[1] == 6 else v
+        return np.swapaxes(matrix, 1, 2)
+
+    def determinants(self, q: Array) -> Array:
+        """Det J at many postures, (m,)."""
+        return np.asarray(np.linalg.det(self.matrices(q)))
+
+    def _placed(self, q: Array) -> tuple[list[Array], list[Array], Array]:
+        """The axes and origins of the joints and the pose of the tip."""
         placed = np.broadcast_to(np.eye(4), (len(q), 4, 4))
         axes, origins = [], []
         for k, axis in enumerate(self.axes):
@@ -174,12 +198,7 @@ class TaskMap:
             axes.append(placed[:, :3, :3] @ axis)
             origins.append(placed[:, :3, 3])
             placed = placed @ self._motion(k, q[:, k])
-        tip = (placed @ self.tool)[:, :3, 3]
-        n = np.stack(axes, 1)
-        arm = tip[:, None] - np.stack(origins, 1)
-        turns = self.turns[None, :, None]
-        v = np.where(turns, _cross(n, arm) / self.size, n)
-        return np.where(turns, n, 0.0), v
+        return axes, origins, placed @ self.tool
 
     def placed(self, q: Array) -> Array:
         """The frames of the tip, (m, 4, 4), lengths in the chain's unit."""
