@@ -8,8 +8,9 @@ from pathlib import Path
 from cuspaudit.auditing.check import robot_files
 from cuspaudit.errors import InvalidInputError, InvalidRobotError
 from cuspaudit.robot.descriptions import description_file, description_names
-from cuspaudit.robot.formats.registry import endings
+from cuspaudit.robot.formats.registry import endings, holds_robot
 from cuspaudit.robot.library import library
+from cuspaudit.robot.ssik_arms import ssik_arms
 
 __all__ = ["robot_sources"]
 
@@ -35,19 +36,18 @@ def robot_sources(sources: Iterable[str], known: bool = False) -> list[str]:
         else:
             found.append(source)
     if known:
-        found += names
+        found += [*names, *ssik_arms()]
         found += [name for name in description_names() if _is_fetched(name)]
     return list(dict.fromkeys(found))
 
 
 def _in_folder(folder: Path) -> list[str]:
-    known = endings()
-    files = sorted(p for p in folder.iterdir() if p.suffix.lower() in known)
+    files = sorted(filter(holds_robot, folder.iterdir()))
     if not files:
         raise InvalidInputError(
             file=str(folder),
             found="no robot file",
-            expected=f"name files or a folder with {', '.join(known)}",
+            expected=f"name files or a folder with {', '.join(endings())}",
         )
     return [str(file) for file in files]
 

@@ -25,7 +25,7 @@ def atlas(
         typer.Option(
             "--library",
             help="Add every robot known by name: ours, those of example-robot-data, "
-            "and the arms of robot_descriptions that have been fetched.",
+            "the arms of ssik, and those of robot_descriptions that have been fetched.",
         ),
     ] = False,
     title: Annotated[str, typer.Option(help="Of the table.")] = "Atlas of robot arms",

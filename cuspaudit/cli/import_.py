@@ -93,9 +93,12 @@ def import_(
 def _print_names() -> None:
     from cuspaudit.robot.descriptions import description_names
     from cuspaudit.robot.library import described
+    from cuspaudit.robot.ssik_arms import ssik_arms
 
     for entry in sorted(described(), key=lambda entry: not entry.is_arm):
         typer.echo(f"{entry.name:28} {entry.what}")
+    for name in ssik_arms():
+        typer.echo(f"{name:28} ssik")
     for name in description_names():
         typer.echo(f"{name:28} robot_descriptions")
 

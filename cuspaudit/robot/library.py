@@ -1,6 +1,6 @@
 """Robots by name: those of ``robots/``, those of example-robot-data, and files.
 
-Names of robot_descriptions are known as well where that package is installed.
+Names of robot_descriptions and of ssik are known as well where these are installed.
 example-robot-data is found by its folder beside pinocchio and is not imported.
 """
 
@@ -26,6 +26,7 @@ from cuspaudit.robot.numbers import format_angle, format_rational
 from cuspaudit.robot.place import listing, quoted
 from cuspaudit.robot.proposals import check_task
 from cuspaudit.robot.robot import Robot
+from cuspaudit.robot.ssik_arms import ssik_arms
 from cuspaudit.robot.task import default_task
 from cuspaudit.robot.task import lock as lock_joints
 
@@ -218,10 +219,10 @@ def _find(name_or_path: str | Path) -> Path:
     named = [text] if text in known else _alike(text, known)
     if named:
         return known[named[0]]
-    described = description_file(text)
+    described = ssik_arms().get(text) or description_file(text)
     if described is not None:
         return described
-    names = [*known, *description_names()]
+    names = [*known, *ssik_arms(), *description_names()]
     near = difflib.get_close_matches(text.lower(), names, n=5, cutoff=0.5)
     raise InvalidRobotError(
         file=quoted(text),

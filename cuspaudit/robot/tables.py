@@ -74,20 +74,20 @@ def table_from_mapping(entries: Mapping[str, object], place: Place) -> Table:
     return Table(head, rows)
 
 
-def read_text(path: Path, place: Place) -> str:
-    """The text of a file of at most a megabyte, in UTF-8.
+def read_text(path: Path, place: Place, most: int = _MOST_BYTES) -> str:
+    """The text of a file of at most ``most`` bytes, a megabyte, in UTF-8.
 
     Raises:
         InvalidRobotError: it cannot be read, or is longer, or is no such text.
     """
     try:
         with path.open("rb") as stream:
-            content = stream.read(_MOST_BYTES + 1)
+            content = stream.read(most + 1)
     except OSError as error:
         reason = error.strerror or "it cannot be read"
         raise place.error(reason, "give a readable file") from None
-    if len(content) > _MOST_BYTES:
-        raise place.error(f"more than {_MOST_BYTES} bytes", "give a shorter table")
+    if len(content) > most:
+        raise place.error(f"more than {most} bytes", "give a shorter file")
     try:
         return content.decode("utf-8-sig")
     except UnicodeDecodeError as error:

@@ -11,12 +11,20 @@ from cuspaudit.robot.formats.dh.format import DH
 from cuspaudit.robot.formats.format import Format
 from cuspaudit.robot.formats.mjcf.format import MJCF
 from cuspaudit.robot.formats.sdf.format import SDF
+from cuspaudit.robot.formats.ssik.format import SSIK
 from cuspaudit.robot.formats.urdf.format import URDF
 from cuspaudit.robot.formats.xacro.format import XACRO
 
-__all__ = ["FORMATS", "endings", "format_of", "is_recorded", "recorded_endings"]
+__all__ = [
+    "FORMATS",
+    "endings",
+    "format_of",
+    "holds_robot",
+    "is_recorded",
+    "recorded_endings",
+]
 
-FORMATS: tuple[Format, ...] = (DH, MJCF, SDF, URDF, XACRO)
+FORMATS: tuple[Format, ...] = (DH, MJCF, SDF, SSIK, URDF, XACRO)
 
 
 def format_of(path: Path) -> Format | None:
@@ -29,6 +37,12 @@ def format_of(path: Path) -> Format | None:
     if len(known) > 1:
         known = [each for each in known if each.is_robot(path)]
     return known[0] if known else None
+
+
+def holds_robot(path: Path) -> bool:
+    """Whether a file is of a format, by its ending and a look at it."""
+    known = format_of(path)
+    return known is not None and path.is_file() and known.is_robot(path)
 
 
 def endings() -> tuple[str, ...]:

@@ -1,0 +1,1 @@
+"""Modules of the package ssik: one arm's constants each, written by a program."""
