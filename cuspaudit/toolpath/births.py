@@ -9,8 +9,8 @@ has a knot in a tube of a known run, no run is missing. One that is missing is f
 from there. In the first and last interval the postures of the first and last pose
 serve: each must have its run, or be singular itself, a root.
 
-Other arms: a run that is born on the way and reaches neither end of the path, nor is
-joined to one that does, would not be seen; that is said.
+Other arms: runs that meet neither end of the path, nor are joined to one that does, are
+looked for (`on_the_way`), and may be missed; that is said.
 """
 
 from __future__ import annotations
@@ -31,13 +31,13 @@ from cuspaudit.runtime.clock import check_time, time_is_up
 from cuspaudit.surface.atypical_values import atypical_values
 from cuspaudit.surface.fibers import fiber_polynomials
 from cuspaudit.toolpath.leg_system import LegSystem
+from cuspaudit.toolpath.on_the_way import look_on_the_way
 from cuspaudit.toolpath.reduced_value import reduced_value
-from cuspaudit.toolpath.runs import FreeRun, loop_runs
+from cuspaudit.toolpath.runs import loop_runs
 from cuspaudit.toolpath.starts import Solved, solve_pose
-from cuspaudit.toolpath.strand import Link, looped, unwound
-from cuspaudit.toolpath.strands import Followed, known_postures
+from cuspaudit.toolpath.strand import Link, looped
+from cuspaudit.toolpath.strands import Followed, has_run, known_postures, sort_links
 from cuspaudit.toolpath.traced_arm import TracedArm
-from cuspaudit.toolpath.tube import Knot
 from cuspaudit.toolpath.waypoints import Pose, ToolPath
 
 __all__ = ["complete_runs"]
@@ -68,7 +68,7 @@ def complete_runs(
         if not solved.complete
     ]
     if len(arm.chain.joints) != 3:
-        return False, [*remarks, _NOT_COUNTED]
+        return False, [*remarks, *look_on_the_way(arm, legs, found)]
     if not (first.complete and last.complete):
         return False, remarks
     try:
@@ -77,7 +77,7 @@ def complete_runs(
         return False, [f"{_NOT_COUNTED}: {limit}"]
     complete = True
     links: dict[int, list[Link]] = defaultdict(list)
-    _sort(found.runs, links)
+    sort_links(found.runs, links)
     for leg, s in between:
         if time_is_up():
             return False, [f"{_NOT_COUNTED}: the time was up"]
@@ -201,37 +201,14 @@ def _is_complete(
     for known in known_postures(arm, legs[leg], solved, float(s)):
         if known.knot is None:
             return False
-        if _has_run(arm, links[leg], known.knot):
+        if has_run(arm, links[leg], known.knot):
             continue
         loop = looped(legs, leg, known.knot)
         if loop is None:
             return False
         runs = loop_runs(legs, loop)
         found.runs += runs
-        _sort(runs, links)
-        if not _has_run(arm, links[leg], known.knot):
+        sort_links(runs, links)
+        if not has_run(arm, links[leg], known.knot):
             return False
     return True
-
-
-def _sort(runs: Sequence[FreeRun], links: dict[int, list[Link]]) -> None:
-    """Add the links of runs to those of their legs."""
-    for run in runs:
-        for link in run.links:
-            links[link.leg].append(link)
-
-
-def _has_run(arm: TracedArm, links: Sequence[Link], knot: Knot) -> bool:
-    """Whether the posture in a knot is on a run, proved: in a tube of one of its links.
-
-    There s is monotone. The knot is between the two of the link, as the tube reaches
-    beyond them.
-    """
-    s = float(knot.at[-1])
-    for link in links:
-        ends = float(link.before.at[-1]), float(link.after.at[-1])
-        if not min(ends) <= s <= max(ends):
-            continue
-        if link.tube.holds(unwound(arm.balls, knot, link.tube)):
-            return True
-    return False

@@ -16,11 +16,19 @@ from numpy.typing import NDArray
 from cuspaudit.toolpath.leg_system import LegSystem
 from cuspaudit.toolpath.runs import FreeRun, runs_of
 from cuspaudit.toolpath.starts import Solved
-from cuspaudit.toolpath.strand import followed, settled, unwound
+from cuspaudit.toolpath.strand import Link, followed, settled, unwound
 from cuspaudit.toolpath.traced_arm import TracedArm
 from cuspaudit.toolpath.tube import Knot, knot_at
 
-__all__ = ["Followed", "Known", "follow_path", "known_postures"]
+__all__ = [
+    "Followed",
+    "Known",
+    "follow_path",
+    "has_run",
+    "known_posture",
+    "known_postures",
+    "sort_links",
+]
 
 Array = NDArray[np.float64]
 
@@ -177,3 +185,26 @@ def turns_between(arm: TracedArm, a: Array, b: Array) -> Array | None:
     """The whole turns from b to a, if they are nearly that; 0 for slides."""
     turns = np.where(arm.turning, np.round((a - b) / (2 * np.pi)), 0.0)
     return turns if np.abs(a - b - 2 * np.pi * turns).max() < 1e-6 else None
+
+
+def sort_links(runs: Sequence[FreeRun], links: dict[int, list[Link]]) -> None:
+    """Add the links of runs to those of their legs."""
+    for run in runs:
+        for link in run.links:
+            links[link.leg].append(link)
+
+
+def has_run(arm: TracedArm, links: Sequence[Link], knot: Knot) -> bool:
+    """Whether the posture in a knot is on a run, proved: in a tube of one of its links.
+
+    There s is monotone. The knot is between the two of the link, as the tube reaches
+    beyond them.
+    """
+    s = float(knot.at[-1])
+    for link in links:
+        ends = float(link.before.at[-1]), float(link.after.at[-1])
+        if not min(ends) <= s <= max(ends):
+            continue
+        if link.tube.holds(unwound(arm.balls, knot, link.tube)):
+            return True
+    return False

@@ -11,8 +11,9 @@ the connected group of motions has degree 0 (it is not onto) [facts, erratum 9].
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -42,6 +43,7 @@ _NEWTON = 8
 _REACHED = 1e-10
 _EQUAL = 1e-6
 _NUDGE = 1e-5
+_TILTS = (0.003, -0.02)
 
 
 def arm_of(chain: Chain) -> tuple[ArmArrays, float]:
@@ -100,25 +102,60 @@ class PostureSolver:
             each settled to rounding. A posture near a singular one may be missing.
 
         Raises:
-            UnableError: the elimination degenerates for this arm.
+            UnableError: the elimination degenerates for this arm, whichever way it is
+                done.
         """
-        found = self._from(self, poses)
-        for others in (self._backwards, lambda some: self._from(self._nudged, some)):
+        return self._tried(poses, (*self._ways, self._tilted))
+
+    @property
+    def _ways(self) -> tuple[Callable[[Array], list[Array]], ...]:
+        direct, nudged = partial(self._from, self), partial(self._from, self._nudged)
+        return direct, self._backwards, nudged
+
+    def _tried(
+        self, poses: Array, ways: Sequence[Callable[[Array], list[Array]]]
+    ) -> list[Array]:
+        """What the ways find, each asked for the poses that are short of postures."""
+        found, unable = [np.zeros((0, 6))] * len(poses), list[UnableError]()
+        for way in ways:
             again = [k for k, postures in enumerate(found) if self._is_short(postures)]
             if not again:
                 break
-            for k, postures in zip(again, others(poses[again]), strict=True):
+            try:
+                more = way(poses[again])
+            except UnableError as degenerate:
+                unable.append(degenerate)
+                continue
+            for k, postures in zip(again, more, strict=True):
                 found[k] = _distinct(np.vstack([found[k], postures]))
+        if len(unable) == len(ways):
+            raise unable[0]
         return found
 
     def _backwards(self, poses: Array) -> list[Array]:
         """From tip to base: the roots are those of joint 5, two sides of a wrist."""
         solver = PostureSolver(reversed_arm(self.arm), self.scale)
-        try:
-            found = solver._from(solver, rigid_inverse(poses))
-        except UnableError:
-            return [np.zeros((0, 6))] * len(poses)
+        found = solver._from(solver, rigid_inverse(poses))
         return [postures[:, ::-1] for postures in found]
+
+    def _tilted(self, poses: Array) -> list[Array]:
+        """From poses turned a little, back to the true ones by Newton's method.
+
+        Where axis 6 stands along axis 1, a tool held upright, the equations fall short:
+        they tell the sum or difference of joints 1 and 6 alone.
+        """
+        found = [np.zeros((0, 6))] * len(poses)
+        for tilt in _TILTS:
+            turn = turned(np.array([0.48, 0.6, 0.64]), *_cos_sin(tilt))
+            near = self._tried(poses @ turn, self._ways)
+            owner = np.repeat(np.arange(len(poses)), [len(some) for some in near])
+            settled, error = self._settle(np.vstack(near), poses[owner])
+            good = error < _REACHED
+            found = [
+                _distinct(np.vstack([some, settled[good & (owner == k)]]))
+                for k, some in enumerate(found)
+            ]
+        return found
 
     def _is_short(self, postures: Array) -> bool:
         """Whether some are certainly lost (none at all is suspect)."""
@@ -204,13 +241,21 @@ def _eigenvectors(fifth: Array, side: Array) -> tuple[Complex, Complex]:
     companion = np.zeros((len(side), 24, 24), dtype=complex)
     companion[:, 12:, :12] = np.eye(12)
     try:
-        companion[:, :12] = np.linalg.solve(leading, right)
+        companion[:, :12] = _solved(leading, right)
         w, vectors = np.linalg.eig(companion)
     except np.linalg.LinAlgError as error:
         raise UnableError("postures", f"the elimination degenerates: {error}") from None
     null = np.swapaxes(vectors[:, 12:], 1, 2).reshape(len(side), 24, 4, 3)
     with np.errstate(divide="ignore", invalid="ignore"):
         return _PIVOT + 1 / w, null
+
+
+def _solved(matrix: Complex, right: Complex) -> Complex:
+    """Solutions; of a matrix that is singular the shortest, which serve nothing."""
+    try:
+        return np.asarray(np.linalg.solve(matrix, right))
+    except np.linalg.LinAlgError:
+        return np.asarray(np.linalg.pinv(matrix) @ right)
 
 
 def _pencil(fifth: Array, side: Array) -> tuple[Complex, Complex, Complex]:

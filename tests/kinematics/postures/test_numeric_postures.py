@@ -153,3 +153,18 @@ def test_a_pose_takes_few_milliseconds() -> None:
     begun = time.process_time()
     solver.solve(poses)
     assert time.process_time() - begun < 100 * 0.02
+
+
+@pytest.mark.parametrize("name", ["chablat-2022-6r", "puma-560", "ur5"])
+@pytest.mark.parametrize("height", [1.0, -1.0])
+def test_a_tool_held_upright_is_solved(name: str, height: float) -> None:
+    """With axis 6 along axis 1 as many postures are met as with the tool tilted."""
+    solver = PostureSolver.of(chain_of(name))
+    upright = solver.poses(np.random.default_rng(3).uniform(-2, 2, (24, 6)))
+    upright[:, :3, :3] = np.diag([1.0, height, height])
+    tilted = upright.copy()
+    c, s = np.cos(0.02), np.sin(0.02)
+    tilted[:, :3, :3] @= np.array([[1, 0, 0], [0, c, -s], [0, s, c]])
+    counts = [[len(p) for p in solver.solve(poses)] for poses in (upright, tilted)]
+    same = sum(a == b for a, b in zip(*counts, strict=True))
+    assert same >= 22 and max(counts[0]) == max(counts[1]) > 2
