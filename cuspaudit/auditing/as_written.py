@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from cuspaudit.auditing.answer import Answer
 from cuspaudit.auditing.case import HAIR_POSES, Case
+from cuspaudit.auditing.cusp_witness import CuspWitness, find_cusps, same_cusp
 from cuspaudit.auditing.deciders.decide import decide
 from cuspaudit.auditing.deciders.registry import HAIR
 from cuspaudit.auditing.search.lift import close
@@ -37,11 +38,21 @@ class AsWritten:
             theorem are proved for them.
         witness: its proof, where it is CUSPIDAL by one.
         is_same_path: whether that is the path of the snapped chain.
+        cusp: its proof, where it is CUSPIDAL by one and no path was proved.
     """
 
     verdict: Verdict
     witness: Witness | None = None
     is_same_path: bool = False
+    cusp: CuspWitness | None = None
+
+    @property
+    def cusp_sentence(self) -> str | None:
+        """Where the cusp is, for a verdict that no path shows; else None."""
+        if self.cusp is None or self.witness is not None:
+            return None
+        at = ", ".join(f"{value:.4g}" for value in self.cusp.posture)
+        return f"by a cusp of its map, proved, at ({at})"
 
 
 def as_written(
@@ -50,7 +61,7 @@ def as_written(
     """What is known of the literal chain, when its snapped one was decided.
 
     The path of the snapped chain is tried first. If that is none, another is searched
-    where the two differ by more than the noise of doubles.
+    where the two differ by more than the noise of doubles, and then a cusp.
 
     Args:
         literal: the chain as the file has it.
@@ -61,32 +72,54 @@ def as_written(
     """
     literal = with_virtual_joint(literal)
     if literal == found.model.chain:
-        decided = found.witness is not None or found.model.is_exact
+        proofs = (found.witness, found.cusp)
+        decided = found.model.is_exact or any(proof is not None for proof in proofs)
         verdict = found.verdict if decided else _by_structure(literal)
-        return AsWritten(verdict, found.witness, True)
+        return AsWritten(verdict, found.witness, True, found.cusp)
     if found.witness is not None:
         same = _on(literal, found.witness)
         if same is not None:
             return AsWritten(Verdict.CUSPIDAL, same, True)
     algebraic = is_algebraic(literal)
     if not algebraic and all(abs(s.difference) < _VISIBLE for s in snapped):
-        return AsWritten(_by_structure(literal))
+        return _same_cusp(literal, found) or AsWritten(_by_structure(literal))
     try:
         if algebraic:
             return _decided(literal, seed, clock)
         witness = _searched(literal, seed, clock)
     except (UnableError, AssumptionError):
         witness = None
-    if witness is None:
-        return AsWritten(_by_structure(literal))
-    return AsWritten(Verdict.CUSPIDAL, witness)
+    if witness is not None:
+        return AsWritten(Verdict.CUSPIDAL, witness)
+    by_cusp = _same_cusp(literal, found)
+    verdict = _by_structure(literal) if by_cusp is None else Verdict.CUSPIDAL
+    if verdict is Verdict.UNDECIDED:
+        by_cusp = _by_cusp(literal, seed)
+    return by_cusp or AsWritten(verdict)
+
+
+def _same_cusp(literal: Chain, found: Answer) -> AsWritten | None:
+    """CUSPIDAL by the cusp of the snapped chain, where the literal one has it too."""
+    cusp = None if found.cusp is None else same_cusp(found.cusp, literal)
+    return None if cusp is None else AsWritten(Verdict.CUSPIDAL, cusp=cusp)
+
+
+def _by_cusp(literal: Chain, seed: int) -> AsWritten | None:
+    """CUSPIDAL by a cusp that a search meets, inside limits or not."""
+    if literal.task not in ("position", "pose"):
+        return None
+    try:
+        cusp = next(find_cusps(literal, seed, inside=False), None)
+    except UnableError:
+        return None
+    return None if cusp is None else AsWritten(Verdict.CUSPIDAL, cusp=cusp)
 
 
 def _decided(literal: Chain, seed: int, clock: Clock) -> AsWritten:
     """The verdict of an exact model of the literal chain."""
     case = Case(exact_model(literal), seed, poses=HAIR_POSES)
     found = decide(case, Clock(clock.left, clock.tell), HAIR)
-    return AsWritten(found.verdict, found.witness)
+    return AsWritten(found.verdict, found.witness, cusp=found.cusp)
 
 
 def _searched(literal: Chain, seed: int, clock: Clock) -> Witness | None:

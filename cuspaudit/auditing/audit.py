@@ -74,7 +74,7 @@ def audit(robot: Robot, options: Options | None = None) -> Audit:
     with clock.stage("literal"):
         with time_limit(clock.left):
             literal = as_written(robot.chain, found, snapped, options.seed, clock)
-        why = None
+        why = literal.cusp_sentence
         if literal.verdict is Verdict.UNDECIDED:
             model = exact_model(faithful(robot.chain))
             why = _in_time(clock, lambda: why_undecided(model), None)

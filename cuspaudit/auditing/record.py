@@ -48,7 +48,8 @@ class Audit:
         answer: the exact answer for it.
         as_written: the verdict for the literal chain, and its proof.
         structures: that would decide the arm, nearest first; they decide nothing here.
-        why_literal: what the literal chain is near to, where ``literal`` is UNDECIDED.
+        why_literal: what the literal chain is near to, where ``literal`` is UNDECIDED;
+            where its cusp is, where that alone decides.
         check: the comparison with Pinocchio.
         seconds: time of each stage.
         seed: of the random choices.

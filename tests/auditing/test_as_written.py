@@ -6,14 +6,20 @@ from pathlib import Path
 
 import pytest
 from reexport import reexported
-from short_tables import arm
+from short_tables import arm, with_wrist
 
+from cuspaudit.auditing.as_written import as_written
 from cuspaudit.auditing.audit import audit
+from cuspaudit.auditing.deciders.decide import answer
 from cuspaudit.auditing.options import Options
 from cuspaudit.certificate import verify
+from cuspaudit.cuspidality.verdict import Verdict
+from cuspaudit.kinematics.exact_model import exact_model
 from cuspaudit.robot.chain import Angle, Chain, Rotation
 from cuspaudit.robot.robot import Robot
 from cuspaudit.robot.snap_policy import NO_SNAPPING
+from cuspaudit.robot.snapping import Snapped
+from cuspaudit.runtime.clock import Clock
 
 
 def rounded(chain: Chain, decimals: int) -> Chain:
@@ -83,3 +89,30 @@ def test_without_snapping_the_numbers_stand_for_themselves(tmp_path: Path) -> No
     assert record["robot"]["exact"] or not any(proved)
     if record["verdict"] == "noncuspidal":
         assert record["proof"]["model"] == "near"
+
+
+def hairy_wrist() -> Chain:
+    """A six-joint arm whose wrist is spherical but for 3e-4 of its arm."""
+    return arm(
+        (1, 2, "3/2", 0, "3/10000", 0),
+        (0, 1, 0, 1, 0, "1/5"),
+        (-90, 90, 90, -90, 90, 0),
+    )
+
+
+def test_a_cusp_decides_where_no_path_is_wide_enough(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Numbers by a hair off a structure: without a path a proved cusp says cuspidal."""
+    monkeypatch.setattr("cuspaudit.auditing.as_written._searched", lambda *_: None)
+    literal = rounded(hairy_wrist(), 5)
+    near = answer(exact_model(with_wrist(arm((1, 2, "3/2"), (0, 1, 0), (-90, 90, 0)))))
+    near = replace(near, witness=None)
+    far = [Snapped("joint_5 a", 3e-4, "0", -3e-4)]
+    found = as_written(literal, near, far, 0, Clock())
+    assert found.verdict is Verdict.CUSPIDAL
+    assert found.witness is None
+    assert found.cusp is not None
+    assert verify(found.cusp.certificate).accepted
+    assert found.cusp.chain == literal
+    assert "by a cusp" in (found.cusp_sentence or "")

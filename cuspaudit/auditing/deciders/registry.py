@@ -50,6 +50,7 @@ def _when_open(file: str, name: str) -> Callable[[Case, Clock], Answer | None]:
 
 
 _BY_SEARCH = Decider("search", _when_open("by_search", "by_search"))
+_BY_CUSP = Decider("cusp", _when_open("by_cusp", "by_cusp"))
 
 EXACT = (
     Decider("decide", by_tiles),  # where the verdict alone is asked for
@@ -63,12 +64,12 @@ EXACT = (
 DECIDERS = (
     *EXACT,
     Decider("certify", by_couple),
-    Decider("cusp", _when_open("by_cusp", "by_cusp")),
+    _BY_CUSP,
     Decider("search", _when_open("by_pigeonhole", "by_pigeonhole")),
     _BY_SEARCH,
     Decider("pairs", _when_open("by_pairs", "by_pair_maxima")),
 )
 """All of them."""
 
-HAIR = (*EXACT, Decider("certify", by_couple), _BY_SEARCH)
+HAIR = (*EXACT, Decider("certify", by_couple), _BY_SEARCH, _BY_CUSP)
 """Those for the numbers as written, where the snapped ones were asked before."""
