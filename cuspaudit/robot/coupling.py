@@ -12,8 +12,8 @@ together, by u = (value of the neighbour) +- (value of the driven joint). With u
 neighbour's place the values of all links are free: the change of joints is linear and
 triangular, so invertible. Postures as the links stand, their poses, det J up to a
 factor that is not 0, and nonsingular paths are those of the chain without the driven
-joint. What is lost are limits: those of the neighbour hold for u minus the driver's
-share, and no box of joint values is theirs.
+joint. Limits of the neighbour hold for u minus the driver's share, and no box of joint
+values is theirs; where it has none limits are carried (`coupled_limits`).
 
 Before that, what a parallelogram holds level is brought onto that line. Let the axes
 from the driver to the driven joint be parallel and their turns add up to nothing. Then
@@ -39,6 +39,7 @@ from cuspaudit.robot.chain import (
     Translation,
     Vector,
 )
+from cuspaudit.robot.coupled_limits import Limits, carried, carried_limits, shared
 from cuspaudit.robot.place import Place, quoted
 
 __all__ = ["Coupling", "uncoupled"]
@@ -53,12 +54,14 @@ class Coupling:
         multiplier: of its value.
         offset: that is added, in rad or the unit of length.
         place: where the file says so.
+        limits: of the driver, for one that is off the chain; None for none.
     """
 
     driver: str
     multiplier: Fraction
     offset: Fraction
     place: Place
+    limits: Limits = None
 
 
 def uncoupled(
@@ -83,6 +86,7 @@ def uncoupled(
         if len(shared) > 1:
             other = next(n for n in shared if n != name)
             raise _refused(name, coupling, f"so does {quoted(other)}")
+        chain = _driven_from_outside(chain, name, coupling)
         notes.append(f"{name} mimics {coupling.driver}, off the chain: it moves freely")
     held = {n: c for n, c in driven.items() if c.driver in names or c.multiplier == 0}
     if not held:
@@ -104,6 +108,12 @@ def uncoupled(
     if chained or len(set(partners.values())) < len(partners):
         name = (chained or list(held))[0]
         raise _refused(name, held[name], "its driver is coupled as well")
+    shares = {
+        n: (c.driver, c.multiplier, c.offset)
+        for n, c in held.items()
+        if c.multiplier and c.driver in names
+    }
+    ranges, remark = carried_limits(chain.joints, shares, partners)
     for name, coupling in held.items():
         chain = _without(chain, name, coupling)
         if name not in partners:
@@ -114,11 +124,28 @@ def uncoupled(
             f"{name} mimics {coupling.driver} about the axis of {partners[name]}: both "
             f"turn by one free sum of {sum_of}, which stands for {partners[name]}"
         )
-    notes.append(
-        "limits are left out: with coupled joints they hold for sums of values"
-    )
-    unlimited = [replace(joint, limits=None) for joint in chain.joints]
-    return chain.with_joints(unlimited), notes
+    limited = [replace(joint, limits=ranges[joint.name]) for joint in chain.joints]
+    return chain.with_joints(limited), [*notes, remark]
+
+
+def _driven_from_outside(chain: Chain, name: str, coupling: Coupling) -> Chain:
+    """The chain with a joint's range the part of it that its driver's range gives.
+
+    Raises:
+        UnsupportedJointError: that is nothing.
+    """
+    joints = list(chain.joints)
+    at = [joint.name for joint in joints].index(name)
+    turns = joints[at].kind == "revolute"
+    if coupling.limits is None or isinstance(coupling.limits[0], Angle) != turns:
+        return chain
+    given = carried(coupling.limits, coupling.multiplier, coupling.offset)
+    try:
+        own = shared(joints[at].limits, given)
+    except ValueError:
+        raise _refused(name, coupling, "their limits leave it no range") from None
+    joints[at] = replace(joints[at], limits=own)
+    return chain.with_joints(joints)
 
 
 def _partner(chain: Chain, name: str, held: Mapping[str, Coupling]) -> str | None:

@@ -1,5 +1,6 @@
 from __future__ import annotations
 
+from dataclasses import replace
 from fractions import Fraction
 
 import numpy as np
@@ -67,6 +68,7 @@ def test_a_joint_beside_its_partner_goes_into_it(multiplier: str, offset: str) -
     assert [joint.name for joint in free.joints] == ["yaw", "shoulder", "elbow"]
     assert all(joint.limits is None for joint in free.joints)
     assert any("stands for elbow" in note for note in notes)
+    assert notes[-1] == 'limits are left out: those of "elbow" hold for a sum of values'
     for yaw, shoulder, elbow in np.random.default_rng(0).uniform(-3, 3, (5, 3)):
         share = float(coupling.multiplier) * shoulder
         values = {"yaw": yaw, "shoulder": shoulder, "elbow": elbow}
@@ -96,6 +98,14 @@ def test_a_driver_off_the_chain_leaves_the_joint_free() -> None:
     free, notes = uncoupled(chain, {"elbow": couple("motor")})
     assert free == chain
     assert notes == ["elbow mimics motor, off the chain: it moves freely"]
+    bounded = replace(couple("motor", "-1/2", "0.1"), limits=LIMITS)
+    free, _ = uncoupled(chain, {"elbow": bounded})
+    own = (Angle(radians=Fraction(-2, 5)), Angle(radians=Fraction(3, 5)))
+    assert free.joints[-1].limits == own
+    assert free.joints[0].limits == LIMITS
+    far = replace(couple("motor", "1", "7"), limits=LIMITS)
+    with pytest.raises(UnsupportedJointError, match="limits leave it no range"):
+        uncoupled(chain, {"elbow": far})
     with pytest.raises(UnsupportedJointError, match='"motor", and so does'):
         uncoupled(chain, {"elbow": couple("motor"), "yaw": couple("motor")})
 
@@ -118,3 +128,34 @@ def test_another_coupling_is_refused_with_its_reason(
     """A driven joint alone on its axis, or in a ring of couplings, is refused."""
     with pytest.raises(UnsupportedJointError, match=r"it mimics joint .*, and "):
         uncoupled(Chain("arm", joints, FOREARM), couplings)
+
+
+def test_limits_are_carried_where_the_box_stays_one() -> None:
+    """With a partner without limits a driver keeps what its driven joint leaves."""
+    loose = replace(ELBOW, limits=None)
+    chain = Chain("arm", (YAW, SHOULDER, LEVEL, loose), FOREARM)
+    free, notes = uncoupled(chain, {"level": couple("shoulder", "-2", "0.5")})
+    assert notes[-1] == "limits of driven joints are taken for their drivers"
+    yaw, shoulder, elbow = free.joints
+    assert (yaw.limits, elbow.limits) == (LIMITS, None)
+    # level = 0.5 - 2 shoulder lies within 1
+    assert shoulder.limits == (
+        Angle(radians=Fraction(-1, 4)),
+        Angle(radians=Fraction(3, 4)),
+    )
+    rng = np.random.default_rng(4)
+    for value in rng.uniform(-1.2, 1.2, 50):
+        inside = abs(value) < 1 and abs(0.5 - 2 * value) < 1
+        assert (-0.25 < value < 0.75) == inside
+
+
+def test_a_hand_that_turns_no_arm_still_limits_its_driver() -> None:
+    """It is left out, and its limits hold for the joint it follows."""
+    wide = (Angle(radians=Fraction(-3)), Angle(radians=Fraction(3)))
+    plate = replace(PLATE, limits=wide)
+    chain = Chain("arm", (YAW, SHOULDER, plate, HAND), TOOL)
+    free, notes = uncoupled(chain, {"hand": couple("elbow", "-1", "0.4")})
+    assert notes[0] == "hand mimics elbow and turns no arm: left out"
+    elbow = free.joints[-1]
+    assert elbow.name == "elbow"
+    assert elbow.limits == tuple(Angle(radians=Fraction(x, 5)) for x in (-3, 7))

@@ -153,7 +153,7 @@ def _couplings(root: Element, tree: Tree[MjcfJoint]) -> dict[str, Coupling]:
             tendons.
     """
     found: dict[str, Coupling] = {}
-    known = {edge.name for edge in tree.above.values()}
+    known = {edge.name: edge for edge in tree.above.values()}
     for element in _active(root, "joint", "tendon"):
         here = element.place(tree.place)
         if element.tag == "tendon":
@@ -168,7 +168,8 @@ def _couplings(root: Element, tree: Tree[MjcfJoint]) -> dict[str, Coupling]:
         if any(rest):
             raise here.error("a coupling that is not linear", "leave it out")
         multiplier = factor if driver else Fraction(0)
-        found[driven] = Coupling(driver, multiplier, offset, here)
+        own = known[driver].limits if driver else None
+        found[driven] = Coupling(driver, multiplier, offset, here, own)
     return found
 
 

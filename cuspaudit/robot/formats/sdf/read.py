@@ -265,7 +265,8 @@ def _coupling(edge: SdfJoint, tree: Tree[SdfJoint], place: Place) -> Coupling | 
         return None
     here = place.at("mimic")
     driver = mimic.attributes.get("joint", "")
-    if driver not in {joint.name for joint in tree.above.values()}:
+    drivers = [joint for joint in tree.above.values() if joint.name == driver]
+    if not drivers:
         found = f"it mimics joint {quoted(driver)}, which is not in the model"
         raise here.error(found, "name one that is")
     numbers = []
@@ -276,4 +277,8 @@ def _coupling(edge: SdfJoint, tree: Tree[SdfJoint], place: Place) -> Coupling | 
             value = parse_decimal(part.text.strip(), here.at(tag))
         numbers.append(value)
     factor, offset, reference = numbers
-    return Coupling(driver, factor, offset - factor * reference, here)
+    outer, kind = drivers[0].element.one("axis"), _KINDS.get(drivers[0].kind)
+    own = None
+    if outer is not None and kind is not None:
+        own = _limits(drivers[0], outer, kind, here, [])
+    return Coupling(driver, factor, offset - factor * reference, here, own)

@@ -142,7 +142,8 @@ def _coupling(element: JointElement, tree: Tree[JointElement]) -> Coupling:
     """
     here = element.place(tree.place)
     driver = element.text("mimic", "joint") or ""
-    if driver not in {joint.name for joint in tree.above.values()}:
+    drivers = [joint for joint in tree.above.values() if joint.name == driver]
+    if not drivers:
         found = f"it mimics joint {quoted(driver)}, which is not in the file"
         raise here.error(found, "name one that is")
     numbers = (element.text("mimic", name) for name in ("multiplier", "offset"))
@@ -151,7 +152,9 @@ def _coupling(element: JointElement, tree: Tree[JointElement]) -> Coupling:
         for text in numbers
     )
     one = Fraction(1) if multiplier is None else multiplier
-    return Coupling(driver, one, offset or Fraction(0), here)
+    kind = _KINDS.get(drivers[0].kind)
+    own = None if kind is None else limits(drivers[0], kind, here, [])
+    return Coupling(driver, one, offset or Fraction(0), here, own)
 
 
 def _joint(
