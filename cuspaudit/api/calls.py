@@ -33,6 +33,7 @@ def load(
     base: str | None = None,
     task: str | None = None,
     lock: Mapping[str, str] | None = None,
+    calibration: File | None = None,
     convention: str | None = None,
     angle_unit: str | None = None,
     length_unit: str | None = None,
@@ -50,6 +51,8 @@ def load(
             or ``pose``; by the number of joints when left out.
         lock: joint name to the value at which it is held, as text: ``"0"``,
             ``"pi/4"``, ``"30 deg"``, ``"0.1"`` for a slide.
+        calibration: a file with the axes as they were built (docs/calibration.md); give
+            ``snap="none"`` to its audit, so that nothing that was measured is rounded.
         convention: ``standard`` or ``modified``, of a table that does not say.
         angle_unit: ``rad`` or ``deg``, of bare angles in a table that does not say.
         length_unit: ``m`` or ``mm``, of a table that does not say.
@@ -63,7 +66,7 @@ def load(
     from cuspaudit.robot.library import open_robot
 
     held = None if lock is None else {k: _text(k, value) for k, value in lock.items()}
-    return open_robot(
+    robot = open_robot(
         os.fspath(source),
         tip=tip,
         base=base,
@@ -75,6 +78,11 @@ def load(
         packages=packages,
         xacro_args=xacro_args,
     )
+    if calibration is None:
+        return robot
+    from cuspaudit.robot.calibration import calibrated, read_calibration
+
+    return calibrated(robot, read_calibration(Path(os.fspath(calibration))))
 
 
 def audit(

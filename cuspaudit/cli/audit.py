@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from cuspaudit.cli.calibrated import audit_with_calibration
 from cuspaudit.cli.chains import audit_chains, check_alone
 from cuspaudit.cli.exit_codes import OF_VERDICT
 from cuspaudit.cli.free import audit_every_lock, audit_free, refuse_beside_free
@@ -65,6 +66,14 @@ def audit(
             help="Exit code and certificate of the verdict within the joint limits.",
         ),
     ] = False,
+    calibration: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="FILE",
+            help="Audit the arm as it was built as well, by its calibration: UR's "
+            "kinematics YAML, or deltas of a D-H table. Exit code of the built arm.",
+        ),
+    ] = None,
     free: Annotated[
         str | None,
         typer.Option(
@@ -90,13 +99,15 @@ def audit(
         no_arm(
             "audit",
             reading.by_flag()
-            | {"--certificate": certificate, "--all": every, "--free": free},
+            | {"--certificate": certificate, "--all": every, "--free": free}
+            | {"--calibration": calibration},
         )
         audit_mechanism(mechanism, json_file, html, seed, timeout, exit_zero)
     if every:
         check_alone(
             reading.by_flag("base", "package", "xacro_arg")
             | {"--html": html, "--certificate": certificate, "--free": free}
+            | {"--calibration": calibration}
         )
         audit_chains(
             *(robot, reading.base, json_file, engine.value, snap, seed, timeout),
@@ -106,13 +117,18 @@ def audit(
         return
     opened = open_named(robot, reading, square=False)
     if free:
-        refuse_beside_free({"--certificate": certificate})
+        refuse_beside_free({"--certificate": certificate, "--calibration": calibration})
         audit_free(
             *(opened, free, json_file, html, snap, seed, timeout, within, exit_zero)
         )
     if _is_left_to_choose(opened, html, certificate):
         audit_every_lock(opened, json_file, snap, seed, timeout, exit_zero)
     check_task(opened.chain, opened.file)
+    if calibration:
+        audit_with_calibration(
+            *(opened, calibration, json_file, html, certificate, snap, seed, timeout),
+            *(within, exit_zero),
+        )
     result = run_audit(opened, seed, timeout, snap, engine.value)
     proof = certificate_text(result, within) if certificate or html else None
     written = str(certificate) if certificate and proof else None
