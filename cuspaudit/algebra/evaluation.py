@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Sequence
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -23,6 +24,8 @@ __all__ = ["Differentiable", "Evaluator", "Jets", "Table"]
 Table = NDArray[Any]
 
 _Exponents = tuple[int, ...]
+_MANY = 400
+"""Terms from which on arrays are quicker than a loop."""
 
 
 class Evaluator:
@@ -42,6 +45,7 @@ class Evaluator:
         self._floats = [
             [(int(c.p) / int(c.q), k) for c, k in row] for row in self._terms
         ]
+        self._count = sum(map(len, self._terms))
         self._balls: dict[int, list[list[tuple[arb, int]]]] = {}
 
     def balls(self, point: Sequence[arb]) -> list[arb]:
@@ -59,10 +63,16 @@ class Evaluator:
         """The values at a point, in doubles."""
         surd = [math.sqrt(self.radicand)] if self.radicand else []
         values = [*map(float, point), *surd]
+        if self._count > _MANY:
+            return self._layers.values(values)
         monomials = [1.0]
         for parent, variable in self._steps:
             monomials.append(monomials[parent] * values[variable])
         return [sum([c * monomials[k] for c, k in row]) for row in self._floats]
+
+    @cached_property
+    def _layers(self) -> _Layers:
+        return _Layers(self._steps, self._floats)
 
     def _place(self, exponents: _Exponents) -> int:
         """The number of a monomial, entered after the one it is computed from."""
@@ -83,6 +93,51 @@ class Evaluator:
                 [(arb(c), k) for c, k in row] for row in self._terms
             ]
         return self._balls[ctx.prec]
+
+
+class _Layers:
+    """The plan in arrays: all monomials of one degree at once.
+
+    Attributes:
+        order: for each degree the monomials, those they are computed from, and the
+            variable of each.
+        coefficients: of all terms, one polynomial after the other.
+        places: of their monomials.
+        starts: where the terms of each polynomial begin; of those that have any.
+        filled: the numbers of the latter.
+    """
+
+    def __init__(
+        self, steps: list[tuple[int, int]], rows: list[list[tuple[float, int]]]
+    ) -> None:
+        degree = [0]
+        for parent, _ in steps:
+            degree.append(degree[parent] + 1)
+        own = np.array(degree)
+        parents, variables = (np.array([0, *part]) for part in zip(*steps, strict=True))
+        self.order = [
+            (chosen, parents[chosen], variables[chosen])
+            for chosen in (np.flatnonzero(own == d) for d in range(1, own.max() + 1))
+        ]
+        terms = [term for row in rows for term in row]
+        self.coefficients = np.array([c for c, _ in terms])
+        self.places = np.array([k for _, k in terms])
+        sizes = np.array([len(row) for row in rows])
+        self.filled = np.flatnonzero(sizes)
+        self.starts = (np.cumsum(sizes) - sizes)[self.filled]
+        self.size = len(rows)
+        self.monomials = len(degree)
+
+    def values(self, point: Sequence[float]) -> list[float]:
+        at = np.array(point)
+        monomials = np.ones(self.monomials)
+        for chosen, parents, variables in self.order:
+            monomials[chosen] = monomials[parents] * at[variables]
+        found = np.zeros(self.size)
+        products = self.coefficients * monomials[self.places]
+        found[self.filled] = np.add.reduceat(products, self.starts)
+        values: list[float] = found.tolist()
+        return values
 
 
 class Differentiable:

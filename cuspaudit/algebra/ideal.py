@@ -25,7 +25,9 @@ from flint import (
 
 from cuspaudit.algebra.ring import Polynomial, Ring
 from cuspaudit.algebra.trigonometric import primitive
-from cuspaudit.errors import UnableError
+from cuspaudit.errors import TimeLimitError, UnableError
+from cuspaudit.runtime.clock import Progress, check_time, seconds_left
+from cuspaudit.runtime.own_process import run_in_own_process
 
 __all__ = [
     "LIMITS",
@@ -40,6 +42,7 @@ Exponents = tuple[int, ...]
 
 #: elements, terms of an element, bits of a coefficient: well under a second
 LIMITS = (200, 2000, 4000)
+_AT_ONCE = (60, 300, 500)
 
 
 @dataclass(frozen=True, eq=False)
@@ -130,12 +133,53 @@ def ideal_elements(
     integral = [_over_z(context, primitive(ring, p)) for p in polynomials if p != 0]
     if not integral:
         return [], True
-    given = fmpz_mpoly_vec(integral, context)
-    answer: Any = given.buchberger_naive(limits)  # its stub knows no limits
-    found, complete = answer
+    found, complete = _buchberger(context, integral, limits)
     order = degree_reverse_context(ring)
     elements = found.autoreduction() if complete else found
     return [order.from_dict(g.to_dict()) for g in elements], complete
+
+
+def _buchberger(
+    context: fmpz_mpoly_ctx,
+    given: Sequence[fmpz_mpoly],
+    limits: tuple[int, int, int],
+) -> tuple[fmpz_mpoly_vec, bool]:
+    """What FLINT has within ``limits``, and whether it is a basis.
+
+    It is done in a few milliseconds, or may take a minute: what is not done at once is
+    done in a process of its own where a time limit is in force.
+
+    Raises:
+        TimeLimitError: the limit has passed.
+    """
+    vector = fmpz_mpoly_vec(given, context)
+    first = (
+        min(limits[0], _AT_ONCE[0]),
+        min(limits[1], _AT_ONCE[1]),
+        min(limits[2], _AT_ONCE[2]),
+    )
+    answer: Any = vector.buchberger_naive(first)  # its stub knows no limits
+    found, complete = answer
+    if complete or first == limits:
+        return found, bool(complete)
+    left = seconds_left()
+
+    def work(progress: Progress) -> tuple[list[dict[Exponents, int]], bool]:
+        told: Any = vector.buchberger_naive(limits)
+        elements, is_basis = told
+        rows = [
+            {as_exponents(e): int(c) for e, c in p.to_dict().items()} for p in elements
+        ]
+        return rows, bool(is_basis)
+
+    if left is None:
+        answer = vector.buchberger_naive(limits)
+        return answer[0], bool(answer[1])
+    try:
+        rows, complete = run_in_own_process(work, timeout=left)
+    except TimeLimitError as late:
+        raise TimeLimitError("groebner_basis", late.seconds) from None
+    return fmpz_mpoly_vec([context.from_dict(row) for row in rows], context), complete
 
 
 def dimension_bound(
@@ -211,4 +255,5 @@ def _leading_key(polynomial: fmpq_mpoly) -> tuple[int, Exponents]:
 
 
 def _over_z(context: fmpz_mpoly_ctx, polynomial: Polynomial) -> fmpz_mpoly:
+    check_time("groebner_basis")
     return context.from_dict({k: c.p for k, c in polynomial.to_dict().items()})

@@ -24,6 +24,7 @@ from cuspaudit.algebra.parametrization import ZeroDimensionalParametrization, em
 from cuspaudit.algebra.ring import Polynomial, Ring
 from cuspaudit.algebra.union import restricted
 from cuspaudit.errors import InvalidSystemError, UnableError
+from cuspaudit.runtime.clock import check_time
 
 __all__ = ["msolve_points", "parse_parametrization"]
 
@@ -86,6 +87,7 @@ def _weights(found: ZeroDimensionalParametrization, ring: Ring) -> dict[str, fmp
 
 
 def _with_zero(polynomial: Polynomial) -> dict[tuple[int, ...], fmpq]:
+    check_time("msolve")
     return {(*e, 0): c for e, c in polynomial.to_dict().items()}
 
 

@@ -35,6 +35,7 @@ from cuspaudit.algebra.plane_bound import plane_bound
 from cuspaudit.algebra.ring import Polynomial, Ring
 from cuspaudit.algebra.system import PolynomialSystem
 from cuspaudit.errors import NotZeroDimensionalError, SetUpError, UnableError
+from cuspaudit.runtime.clock import check_time, seconds_left, time_limit
 
 __all__ = ["solve_zero_dimensional"]
 
@@ -44,6 +45,7 @@ PLANE = "resultant, and gcds modulo 62-bit primes"
 MULTIPLES = "rank of multiples modulo 2^61 - 1"
 BORDER = "elements of the ideal of bounded degree"
 _SMALL = 30
+_STEP = "solve_zero_dimensional"
 _PARTIAL = (100, 1000, 1000)
 
 
@@ -118,8 +120,11 @@ def _exact(
 ) -> ZeroDimensionalParametrization | None:
     """The zeros by an exact Groebner basis, None when that is too large."""
     try:
-        basis = groebner_basis(posed.ring, posed.equations)
+        left = seconds_left()
+        with time_limit(None if left is None else left / 4):
+            basis = groebner_basis(posed.ring, posed.equations)
     except UnableError:
+        check_time(_STEP)
         return None
     bound = len(staircase(basis))
     if bound > _SMALL:
@@ -140,6 +145,7 @@ def _in_the_plane(
         found = _points(saturated, timeout, seed)
         bound = plane_bound(plain.ring, *plain.equations, nonzero)
     except UnableError:
+        check_time(_STEP)
         return None
     return replace(found, grounds=(PLANE,)) if found.degree == bound else None
 
@@ -151,6 +157,7 @@ def _wider(
     try:
         found = _exact(plain, timeout, seed) or _by_msolve(plain, timeout, seed)
     except (NotZeroDimensionalError, UnableError):
+        check_time(_STEP)
         return None
     return found.where_nonzero(plain.ring, nonzero)
 

@@ -56,7 +56,7 @@ from cuspaudit.geometry.assumption_a import check_assumption_a
 from cuspaudit.geometry.atypical_values import AtypicalValues, atypical_values
 from cuspaudit.geometry.cells.axis_order import axis_order
 from cuspaudit.geometry.cells.open_cells import OpenCells, open_cells
-from cuspaudit.geometry.crit import crit
+from cuspaudit.geometry.crit import crit, without_units
 from cuspaudit.geometry.fibers.degree import has_degree_at_most
 from cuspaudit.geometry.fibers.generic_fiber import GenericFiber
 from cuspaudit.geometry.idle_circles import without_idle_circles
@@ -209,7 +209,7 @@ def _check(run: Decision, steps: Steps, first: bool) -> bool:
     variety, dimension = run.variety, run.mapping.dimension
     check_angles(variety, run.mapping)
     steps.begin("crit")
-    run.minors = crit(variety, run.mapping)
+    run.minors = without_units(variety, crit(variety, run.mapping))
     steps.begin("check_assumption_a")
     size = len(variety.ring.variables)
     needless = first and variety.dimension == dimension

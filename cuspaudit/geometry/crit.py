@@ -7,14 +7,17 @@ robot these points are its singularities; the decision works on the complement.
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from itertools import combinations
+
+from flint import fmpq
 
 from cuspaudit.algebra.matrix import determinant, jacobian
 from cuspaudit.algebra.ring import Polynomial
 from cuspaudit.algebra.system import PolynomialMap, PolynomialSystem
 from cuspaudit.errors import NotSquareError
 
-__all__ = ["crit"]
+__all__ = ["crit", "without_units"]
 
 
 def crit(variety: PolynomialSystem, mapping: PolynomialMap) -> tuple[Polynomial, ...]:
@@ -60,3 +63,53 @@ def crit(variety: PolynomialSystem, mapping: PolynomialMap) -> tuple[Polynomial,
         if minor != 0 and minor not in found:
             found.append(minor)
     return tuple(found)
+
+
+def without_units(
+    variety: PolynomialSystem, minors: Sequence[Polynomial]
+) -> tuple[Polynomial, ...]:
+    """The minors without factors that are constant on circles of V.
+
+    Where a (c^2 + s^2 - r) is an equation of V, r > 0, a factor c^2 + s^2 of a minor is
+    r on V: the same function on V up to a positive constant, and shorter.
+
+    >>> from cuspaudit.algebra.ring import Ring
+    >>> ring = Ring(["c", "s", "x"])
+    >>> c, s, x = ring.gens
+    >>> circle = PolynomialSystem(ring, (c**2 + s**2 - 1,))
+    >>> without_units(circle, (-2 * c**2 * x - 2 * s**2 * x,))
+    (-2*x,)
+    """
+    squares = list(_squares(variety))
+    found: list[Polynomial] = []
+    for minor in minors:
+        for square in squares:
+            quotient, rest = divmod(minor, square)
+            while rest == 0:
+                minor = quotient
+                quotient, rest = divmod(minor, square)
+        if minor not in found:
+            found.append(minor)
+    return tuple(found)
+
+
+def _squares(variety: PolynomialSystem) -> Iterator[Polynomial]:
+    """c^2 + s^2 of every equation a (c^2 + s^2 - r), r > 0 in Q."""
+    ring = variety.ring
+    for equation in variety.equations:
+        names = [x for x in ring.variables if equation.derivative(x) != 0]
+        if len(names) != 2:
+            continue
+        square = ring.total(ring.gen(x) ** 2 for x in names)
+        lead = equation.derivative(names[0]).derivative(names[0]) / 2
+        if not lead.is_constant() or lead == 0:
+            continue
+        rest = equation - lead * square
+        if rest.is_constant() and rest != 0 and _number(rest) / _number(lead) < 0:
+            yield square
+
+
+def _number(constant: Polynomial) -> fmpq:
+    """A constant over Q."""
+    (value,) = constant.to_dict().values()
+    return value

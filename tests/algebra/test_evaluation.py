@@ -72,3 +72,19 @@ def test_derivatives_are_those_of_differences() -> None:
     first = Differentiable(RING, SOME)
     assert first.floats(at)[1] == pytest.approx(gradients)
     assert np.array(first.jacobian(box)).astype(float) == pytest.approx(gradients)
+
+
+@pytest.mark.parametrize("radicand", [None, 2])
+def test_many_terms_have_the_same_values(radicand: int | None) -> None:
+    """Arrays and the loop agree; polynomials without terms are 0 among others."""
+    ring = Ring(["x", "y"], radicand)
+    u, v = ring.gens
+    many = [ring.constant(0), (u + 2 * v - 1) ** 30, u * 0, u**3 - v, ring.constant(5)]
+    if radicand:
+        many[3] += ring.surd * u
+    evaluator = Evaluator(ring, many)
+    assert evaluator._count > 400
+    at = (0.3, -0.7)
+    root = math.sqrt(radicand) if radicand else 0.0
+    expected = [0.0, (0.3 - 1.4 - 1) ** 30, 0.0, 0.027 + 0.7 + root * 0.3, 5.0]
+    assert evaluator.floats(at) == pytest.approx(expected, rel=1e-9)

@@ -1,9 +1,12 @@
 from __future__ import annotations
 
+import time
+
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from cuspaudit.algebra import ideal
 from cuspaudit.algebra.ideal import (
     degree_reverse_context,
     dimension_bound,
@@ -11,7 +14,8 @@ from cuspaudit.algebra.ideal import (
     normal_form,
 )
 from cuspaudit.algebra.ring import Polynomial, Ring
-from cuspaudit.errors import UnableError
+from cuspaudit.errors import TimeLimitError, UnableError
+from cuspaudit.runtime.clock import time_limit
 
 RING = Ring(["x", "y", "z"])
 X, Y, Z = RING.gens
@@ -94,3 +98,43 @@ def test_the_dimension_is_bounded_by_any_elements() -> None:
 def test_free_sets_of_the_circle_cylinder() -> None:
     """On {x^2 + y^2 = 1} the leading monomial is x^2: the pair without x is free."""
     assert groebner_basis(RING, [X**2 + Y**2 - 1]).free_sets() == [("y", "z")]
+
+
+CYCLIC = Ring(["a", "b", "c", "d", "e", "f"])
+
+
+def cyclic() -> list[Polynomial]:
+    """The six equations of the cyclic roots: Buchberger takes long."""
+    gens = CYCLIC.gens
+    found = []
+    for k in range(1, 6):
+        terms = CYCLIC.constant(0)
+        for i in range(6):
+            term = CYCLIC.constant(1)
+            for j in range(k):
+                term *= gens[(i + j) % 6]
+            terms += term
+        found.append(terms)
+    a, b, c, d, e, f = gens
+    return [*found, a * b * c * d * e * f - 1]
+
+
+def test_a_long_basis_stops_at_the_time_limit() -> None:
+    """What is not done at once is ended from outside when the time is up."""
+    begun = time.perf_counter()
+    with (
+        pytest.raises(TimeLimitError, match="groebner_basis"),
+        time_limit(0.5),
+    ):
+        groebner_basis(CYCLIC, cyclic(), (10**6, 10**6, 10**6))
+    assert time.perf_counter() - begun < 2
+
+
+def test_another_process_finds_the_same_elements(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Limited in time or not, the basis is one."""
+    plain = groebner_basis(RING, TWISTED)
+    monkeypatch.setattr(ideal, "_AT_ONCE", (1, 1, 1))
+    with time_limit(30):
+        assert groebner_basis(RING, TWISTED).elements == plain.elements

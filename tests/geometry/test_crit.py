@@ -8,7 +8,7 @@ from surfaces import arm_map, cylinder, plane
 from cuspaudit.algebra.ring import Ring
 from cuspaudit.algebra.system import PolynomialMap, PolynomialSystem
 from cuspaudit.errors import NotSquareError
-from cuspaudit.geometry.crit import crit
+from cuspaudit.geometry.crit import crit, without_units
 from cuspaudit.surface.surface import Surface, product_factors
 
 
@@ -101,3 +101,15 @@ def test_an_equation_given_twice_gives_no_minor_twice() -> None:
 def test_a_constant_component_leaves_no_minor() -> None:
     """Where every point is critical there is nothing to cut V with."""
     assert crit(*plane(lambda x, y: (x, 0 * x))) == ()
+
+
+def test_circles_leave_no_constant_factor() -> None:
+    """c^2 + s^2 is r on c^2 + s^2 = r, in any power; on other curves it stays."""
+    ring = Ring(["c", "s", "x", "y"])
+    c, s, x, y = ring.gens
+    square = c**2 + s**2
+    circle = PolynomialSystem(ring, (3 * square - 6, x * y - 1))
+    assert without_units(circle, (square**2 * (x - c), x * square)) == (x - c, x)
+    for other in (3 * square + 6, c**2 + 2 * s**2 - 1, square - x):
+        variety = PolynomialSystem(ring, (other,))
+        assert without_units(variety, (square * x,)) == (square * x,)

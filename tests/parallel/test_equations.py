@@ -83,6 +83,17 @@ def test_planar_platforms_are_cuspidal(name: str) -> None:
     assert found.components in (None, 2)
 
 
+@pytest.mark.slow
+def test_a_platform_on_cranks_is_cuspidal() -> None:
+    """3-RRR: two assembly modes over one posture of the cranks lie in one aspect."""
+    read = read_system(OWN / "3-rrr.yaml")
+    found = decide(read.variety, read.mapping, timeout=120)
+    assert found.verdict is Verdict.CUSPIDAL
+    assert found.couple is not None
+    assert found.most_points is not None
+    assert 4 <= found.most_points <= 6
+
+
 def test_the_orthoglide_has_two_assembly_modes_and_no_couple() -> None:
     """Two modes in two aspects: noncuspidal."""
     found = run(read_system(OWN / "orthoglide.yaml"))

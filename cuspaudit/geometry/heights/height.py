@@ -27,6 +27,7 @@ from cuspaudit.algebra.matrix import determinant
 from cuspaudit.algebra.ring import Polynomial, Ring
 from cuspaudit.algebra.system import PolynomialSystem
 from cuspaudit.errors import DegenerateMapError
+from cuspaudit.runtime.clock import check_time
 
 __all__ = ["Height", "critical_system", "heights", "is_visibly_bounded", "plain_height"]
 
@@ -135,6 +136,7 @@ def critical_system(
         last = [gradient[x] for x in names]
         for chosen in combinations(rows, rank):
             for columns in combinations(range(len(names)), rank + 1):
+                check_time("critical_system")
                 matrix = [[row[j] for j in columns] for row in (*chosen, last)]
                 equations.append(determinant(ring, matrix))
     return PolynomialSystem(ring, tuple(e for e in equations if e != 0))
