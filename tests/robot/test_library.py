@@ -11,7 +11,9 @@ from cuspaudit.errors import InvalidRobotError
 from cuspaudit.robot.formats.urdf.visuals import visuals
 from cuspaudit.robot.library import example_robot_data, library, open_robot
 
-OWN = {path.stem: path for _, path in library() if path.suffix == ".yaml"}
+YAML = [path for _, path in library() if path.suffix == ".yaml"]
+OWN = {path.stem: path for path in YAML if path.parent.name == "robots"}
+SPARE = [path.stem for path in YAML if path.parent.name == "seven-joints"]
 
 
 @pytest.mark.parametrize("name", OWN)
@@ -23,6 +25,19 @@ def test_our_robots_open(name: str) -> None:
     assert robot.source
     assert robot.expect is not None
     assert robot.notes == ()
+
+
+@pytest.mark.parametrize("name", SPARE)
+def test_our_robots_with_a_joint_to_spare_open(name: str) -> None:
+    """Each is named as its file and sourced, with a joint more than its task asks."""
+    robot = open_robot(name, square=False)
+    assert robot.name == name
+    assert robot.title
+    assert robot.source
+    assert robot.notes == ()
+    assert len(robot.chain.joints) == 7
+    with pytest.raises(InvalidRobotError, match="7 joints for a pose task"):
+        open_robot(name)
 
 
 def test_example_robots_open_by_name() -> None:
