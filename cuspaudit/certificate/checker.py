@@ -10,12 +10,9 @@ from __future__ import annotations
 
 import time
 from dataclasses import asdict, dataclass
-from typing import Any, Literal
+from typing import Any, Literal, Protocol
 
 from cuspaudit.certificate.cover import Cover, Refusal
-from cuspaudit.certificate.cusp_proof import CuspProof
-from cuspaudit.certificate.lock_proof import LockProof
-from cuspaudit.certificate.loose_cover import LooseCover
 from cuspaudit.certificate.model import (
     Certificate,
     CuspCertificate,
@@ -26,11 +23,8 @@ from cuspaudit.certificate.model import (
     check_certificate,
     is_loose,
 )
-from cuspaudit.certificate.pairs_proof import PairsProof
-from cuspaudit.certificate.path_proof import PathProof
-from cuspaudit.certificate.structure_proof import StructureProof
 
-__all__ = ["Verification", "verify"]
+__all__ = ["Proof", "Verification", "verify"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,7 +66,32 @@ class Verification:
         return asdict(self)
 
 
-_Proof = PathProof | LockProof | CuspProof | PairsProof | StructureProof
+class Proof(Protocol):
+    """The proof of a certificate of one kind.
+
+    Attributes:
+        bits: the highest working precision used so far.
+    """
+
+    bits: int
+
+    @property
+    def boxes(self) -> int:
+        """Number of boxes looked at so far."""
+
+    @property
+    def radius(self) -> float | None:
+        """Half side of the box that holds what is proved to be there, once known."""
+
+    def run(self) -> float:
+        """Prove all; return the lower bound that `Verification` calls smallest.
+
+        Raises:
+            Refusal: at the first step that fails.
+        """
+
+    def summary(self) -> str:
+        """What `run` has proved, in one sentence."""
 
 
 def verify(certificate: Certificate) -> Verification:
@@ -96,46 +115,47 @@ def verify(certificate: Certificate) -> Verification:
         smallest, reason = proof.run(), proof.summary()
     except Refusal as refusal:
         smallest, reason = None, str(refusal)
-    path = proof if isinstance(proof, PathProof) else None
-    is_no = isinstance(proof, StructureProof | PairsProof)
+    is_no = isinstance(certificate, StructureCertificate | PairsCertificate)
     return Verification(
         accepted=smallest is not None,
         claim="noncuspidal" if is_no else "cuspidal",
         reason=reason,
-        boxes=_boxes(proof),
+        boxes=proof.boxes,
         smallest=smallest,
-        radius=proof.radius
-        if isinstance(proof, PathProof | LockProof | CuspProof)
-        else None,
-        bits=proof.bits if path is None else max(path.bits, path.cover.bits),
+        radius=proof.radius,
+        bits=proof.bits,
         seconds=time.perf_counter() - start,
     )
 
 
-def _proof(certificate: Certificate) -> _Proof:
+def _proof(certificate: Certificate) -> Proof:
+    """The proof of this kind; the modules of the others are not loaded."""
     match certificate:
         case PathCertificate():
-            loose = is_loose(certificate)
-            cover = LooseCover(certificate) if loose else Cover(certificate)
-            return PathProof(certificate, cover)
+            from cuspaudit.certificate.path_proof import PathProof
+
+            if not is_loose(certificate):
+                return PathProof(certificate, Cover(certificate))
+            from cuspaudit.certificate.loose_cover import LooseCover
+
+            return PathProof(certificate, LooseCover(certificate))
         case LockCertificate():
+            from cuspaudit.certificate.lock_proof import LockProof
+
             return LockProof(certificate)
         case CuspCertificate():
+            from cuspaudit.certificate.cusp_proof import CuspProof
+
             return CuspProof(certificate)
         case PairsCertificate():
+            from cuspaudit.certificate.pairs_proof import PairsProof
+
             return PairsProof(certificate)
         case StructureCertificate():
+            from cuspaudit.certificate.structure_proof import StructureProof
+
             return StructureProof(certificate)
     raise TypeError(f"no kind of certificate: {type(certificate).__name__}")
-
-
-def _boxes(proof: _Proof) -> int:
-    match proof:
-        case PathProof() | LockProof():
-            return proof.cover.boxes
-        case PairsProof():
-            return proof.boxes
-    return 0
 
 
 def _check_claim(certificate: Certificate) -> None:

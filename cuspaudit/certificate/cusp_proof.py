@@ -92,6 +92,7 @@ class CuspProof:
     certificate: CuspCertificate
     radius: float | None = None
     bits: int = PRECISIONS[0]
+    boxes: int = 0
 
     def run(self) -> float:
         """Prove all; return a lower bound of |k . grad(k . grad h)|, rounded down."""

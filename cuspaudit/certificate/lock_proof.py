@@ -55,6 +55,11 @@ class LockProof:
         """Half side of the largest box that holds a second posture, once known."""
         return self.end.radius or None
 
+    @property
+    def boxes(self) -> int:
+        """Number of boxes that the path was cut into so far."""
+        return self.cover.boxes
+
     def run(self) -> float:
         """Prove all; return a lower bound of sign det J, rounded down."""
         smallest = min(self.end.prove(), self.cover.cover())

@@ -85,6 +85,7 @@ class PairsProof:
     certificate: PairsCertificate
     bits: int = _BITS
     boxes: int = 0
+    radius: float | None = None
     _parting: dict[int, list[arb]] = field(default_factory=dict)
 
     def run(self) -> float:

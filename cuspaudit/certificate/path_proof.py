@@ -23,6 +23,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 from flint import arb
 
@@ -39,11 +40,11 @@ from cuspaudit.certificate.limits_proof import (
     check_way_points,
     within,
 )
-from cuspaudit.certificate.loose_arm import loose_arm
-from cuspaudit.certificate.loose_cover import BITS, LooseCover
-from cuspaudit.certificate.loose_posture import second_postures
 from cuspaudit.certificate.model import PathCertificate, is_loose, printable
 from cuspaudit.certificate.play import for_every_robot, without_play
+
+if TYPE_CHECKING:
+    from cuspaudit.certificate.loose_cover import LooseCover
 
 __all__ = ["PathProof"]
 
@@ -64,12 +65,20 @@ class PathProof:
     radius: float | None = None
     bits: int = PRECISIONS[0]
 
+    @property
+    def boxes(self) -> int:
+        """Number of boxes that the path was cut into so far."""
+        return self.cover.boxes
+
     def run(self) -> float:
         """Prove all; return a lower bound of sign det J, rounded down."""
         self._check_ends()
         check_way_points(self.certificate, self.certificate.path)
         at_end = self._end()
-        smallest = min(at_end, self.cover.cover())
+        try:
+            smallest = min(at_end, self.cover.cover())
+        finally:
+            self.bits = max(self.bits, self.cover.bits)
         return max(0.0, math.nextafter(float(smallest), -math.inf))
 
     def summary(self) -> str:
@@ -114,8 +123,7 @@ class PathProof:
             raise last
         if not is_loose(self.certificate):
             return height
-        with working_precision(BITS):
-            return self._all_ends(values, height)
+        return self._all_ends(values, height)
 
     def _one_end(self) -> tuple[Sequence[arb], arb]:
         """The box of the second posture of the robot without play, and the bound."""
@@ -138,18 +146,23 @@ class PathProof:
 
     def _all_ends(self, values: Sequence[arb], height: arb) -> arb:
         """The same of every robot that the play allows."""
-        first, _ = self._postures()
-        box = second_postures(loose_arm(self.certificate), first, values)
-        if box is None:
-            raise Refusal("a second posture is not proved for every robot")
-        self.radius = box.radius
-        self._check_box(box.values)
-        if not height - box.change > 0:
-            raise Refusal(
-                "det J is not proved to have the sign at the second posture of every "
-                "robot"
-            )
-        return (height - box.change).lower()
+        from cuspaudit.certificate.loose_arm import loose_arm  # most have no play
+        from cuspaudit.certificate.loose_cover import BITS
+        from cuspaudit.certificate.loose_posture import second_postures
+
+        with working_precision(BITS):
+            first, _ = self._postures()
+            box = second_postures(loose_arm(self.certificate), first, values)
+            if box is None:
+                raise Refusal("a second posture is not proved for every robot")
+            self.radius = box.radius
+            self._check_box(box.values)
+            if not height - box.change > 0:
+                raise Refusal(
+                    "det J is not proved to have the sign at the second posture of "
+                    "every robot"
+                )
+            return (height - box.change).lower()
 
     def _postures(self) -> tuple[list[arb], list[arb]]:
         first, second = (

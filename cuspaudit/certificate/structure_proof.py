@@ -40,6 +40,8 @@ class StructureProof:
 
     certificate: StructureCertificate
     bits: int = PRECISIONS[0]
+    boxes: int = 0
+    radius: float | None = None
 
     def run(self) -> float:
         """Prove all; return a lower bound of |det J| at the regular posture."""

@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING
 
 import typer
 
-from cuspaudit.cli.decide import STEPS, print_decision
 from cuspaudit.cli.exit_codes import OF_VERDICT
 from cuspaudit.cli.outlet import write_json
 from cuspaudit.cli.running import progress_bar
@@ -68,6 +67,7 @@ def audit_mechanism(
 ) -> None:
     """Decide a mechanism's problem, print and write what was found, and exit."""
     from cuspaudit.auditing.systems.report import decide_system
+    from cuspaudit.cli.decide import STEPS, print_decision
     from cuspaudit.pictures.mechanism import page_of
     from cuspaudit.runtime.writing import write_text
     from cuspaudit.viz.mechanism_page import mechanism_page
