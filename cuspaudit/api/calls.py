@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from cuspaudit.certificate.checker import Verification
     from cuspaudit.family.sweep import Swept
     from cuspaudit.robot.robot import Robot
+    from cuspaudit.robot.tolerance import AxisTolerance
 
 __all__ = ["audit", "check", "decide", "load", "sweep", "verify"]
 
@@ -92,6 +93,7 @@ def audit(
     timeout: float | None = None,
     engine: Literal["auto", "roadmap", "routing", "pairs"] = "auto",
     snap: File = "default",
+    tolerance: File | Mapping[str, str] | None = None,
     progress: Progress = lambda step: None,
 ) -> Audit:
     """The audit of ``robot``: verdict, proof, witness, cross-check.
@@ -102,6 +104,9 @@ def audit(
         timeout: seconds after which the search for a verdict ends undecided.
         engine: the route of the decision.
         snap: which rounded numbers are made exact: ``default``, ``none`` or a file.
+        tolerance: how far each axis may be off: a YAML file, or ``{"lengths": "1e-4",
+            "angles": "1e-4"}`` (the robot's unit, and rad); that of the robot's file
+            when left out.
         progress: called with the name of each step before it runs.
 
     Raises:
@@ -121,9 +126,7 @@ def audit(
             expected="give what load returns: audit(load(...))",
         )
     policy = policy_from_name(os.fspath(snap))
-    options = Options(
-        seed=seed, timeout=timeout, progress=progress, snap=policy, engine=engine
-    )
+    options = Options(seed, timeout, progress, policy, engine, _allowed(tolerance))
     return Audit(run(robot, options))
 
 
@@ -232,6 +235,17 @@ def check(paths: File | Iterable[File], *, workers: int = 1) -> list[Checked]:
 
     several = [paths] if isinstance(paths, str | os.PathLike) else paths
     return list(check_robots(robot_files([Path(p) for p in several]), workers))
+
+
+def _allowed(tolerance: File | Mapping[str, str] | None) -> AxisTolerance | None:
+    from cuspaudit.robot.place import Place
+    from cuspaudit.robot.tolerance import parse_tolerance, tolerance_from_file
+
+    if tolerance is None:
+        return None
+    if isinstance(tolerance, str | os.PathLike):
+        return tolerance_from_file(os.fspath(tolerance))
+    return parse_tolerance(tolerance, Place("audit", "tolerance"))
 
 
 def _text(joint: str, value: object) -> str:

@@ -29,11 +29,13 @@ from cuspaudit.errors import (
 from cuspaudit.kinematics.exact_model import exact_model
 from cuspaudit.robot.robot import Robot
 from cuspaudit.robot.snapping import faithful, snap
+from cuspaudit.robot.tolerance import AxisTolerance
 from cuspaudit.robot.virtual_joint import with_virtual_joint
 from cuspaudit.runtime.clock import Clock, time_limit
 
 if TYPE_CHECKING:
     from cuspaudit.auditing.limits_result import WithinLimits
+    from cuspaudit.auditing.tolerance.over_tolerance import OverTolerance
     from cuspaudit.robot.chain import Chain
 
 __all__ = ["Audit", "Options", "audit"]
@@ -82,6 +84,11 @@ def audit(robot: Robot, options: Options | None = None) -> Audit:
         shown = (literal.is_same_path and literal.witness) or found.witness
         is_late = clock.left == 0.0
         margin = margin_of(shown.certificate) if shown and not is_late else None
+    over, allowed = None, options.tolerance or robot.tolerance
+    if allowed is not None:
+        with clock.stage("tolerance"):
+            seed, path = options.seed, shown or None
+            over = _over_tolerance(allowed, found, written, path, seed, clock)
     with clock.stage("crosscheck"):
         clock.step("crosscheck", always=True)
         check = _check(robot, found, literal.witness, options)
@@ -99,6 +106,7 @@ def audit(robot: Robot, options: Options | None = None) -> Audit:
         why,
         within,
         margin,
+        over,
     )
 
 
@@ -111,6 +119,21 @@ def _within_limits(
     from cuspaudit.auditing.within_limits import within_limits
 
     return within_limits(found, literal, seed, clock)
+
+
+def _over_tolerance(
+    allowed: AxisTolerance,
+    found: Answer,
+    literal: Chain,
+    witness: Witness | None,
+    seed: int,
+    clock: Clock,
+) -> OverTolerance:
+    """The verdict over a tolerance; an audit without one loads nothing for it."""
+    from cuspaudit.auditing.tolerance.over_tolerance import over_tolerance
+
+    with time_limit(clock.left):
+        return over_tolerance(allowed, found, literal, witness, seed, clock)
 
 
 def _in_time(clock: Clock, work: Callable[[], Found], instead: Found) -> Found:

@@ -16,21 +16,25 @@ from cuspaudit.robot.virtual_joint import with_virtual_joint
 if TYPE_CHECKING:
     from cuspaudit.auditing.limits_result import WithinLimits
 
-__all__ = ["certificate_of_audit", "certificate_text"]
+__all__ = ["certificate_of_audit", "certificate_text", "is_of_many_arms"]
 
 
 def certificate_of_audit(audit: Audit, within: bool = False) -> Certificate | None:
     """The certificate of the verdict of ``audit``, or None where it has none.
 
-    Of a cuspidal verdict that of its witness or its cusp. Of a noncuspidal one that of
-    a theorem, or of three joints that of all pairs of postures, for the numbers that
-    the verdict is about, or else for those of the file.
+    With a tolerance the one for all its arms, or for those of the largest box that is
+    proved. Of a cuspidal verdict that of its witness or its cusp. Of a noncuspidal one
+    that of a theorem, or of three joints that of all pairs of postures, for the numbers
+    that the verdict is about, or else for those of the file.
 
     Args:
         audit: what was found.
         within: whether the verdict within the joint limits is meant, if there are any.
     """
     literal = with_virtual_joint(audit.robot.chain)
+    if is_of_many_arms(audit, within):
+        assert audit.over is not None
+        return audit.over.certificate
     if within and audit.within is not None:
         # what limits alone make noncuspidal has no certificate
         if audit.within.verdict is not Verdict.NONCUSPIDAL:
@@ -54,6 +58,11 @@ def certificate_of_audit(audit: Audit, within: bool = False) -> Certificate | No
         if found is not None:
             return replace(found, numbers="literal" if chain == literal else "snapped")
     return None
+
+
+def is_of_many_arms(audit: Audit, within: bool = False) -> bool:
+    """Whether the certificate of ``audit`` is one for every arm of a box."""
+    return not within and audit.over is not None and audit.over.certificate is not None
 
 
 def _within_limits(within: WithinLimits) -> Certificate | None:

@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from cuspaudit.auditing.cusp_witness import CuspWitness
     from cuspaudit.auditing.limits_result import WithinLimits
     from cuspaudit.auditing.structures import Structure
+    from cuspaudit.auditing.tolerance.over_tolerance import OverTolerance
     from cuspaudit.auditing.witness import Witness
 
 __all__ = ["PACKAGES", "SCHEMA", "Audit"]
@@ -55,6 +56,7 @@ class Audit:
         seed: of the random choices.
         within: the verdict within the joint limits; None without limits.
         margin: how far from the witness path, in rad, no posture is singular; proved.
+        over: the verdict for every arm of a tolerance; None where none was asked for.
         policy: which numbers were taken for others.
     """
 
@@ -71,6 +73,7 @@ class Audit:
     why_literal: str | None = None
     within: WithinLimits | None = None
     margin: float | None = None
+    over: OverTolerance | None = None
 
     @property
     def verdict(self) -> Verdict:
@@ -99,13 +102,17 @@ class Audit:
         return None if self.as_written.is_same_path else self.as_written.witness
 
     def record(
-        self, certificate: str | None = None, limits_certificate: str | None = None
+        self,
+        certificate: str | None = None,
+        limits_certificate: str | None = None,
+        tolerance_certificate: str | None = None,
     ) -> dict[str, Any]:
         """The audit as JSON, schema ``cuspaudit/audit/2``.
 
         Args:
             certificate: where the certificate was written, if it was.
             limits_certificate: where that of the verdict within limits was.
+            tolerance_certificate: where that for every arm of the tolerance was.
         """
         answer = self.answer
         return {
@@ -131,7 +138,7 @@ class Audit:
             "cusp": self._cusp(certificate),
             "structures": self._structures(),
             "margin": self._margin(),
-            "tolerance": None,
+            "tolerance": self.over.record(tolerance_certificate) if self.over else None,
             "crosscheck": asdict(self.check),
             "undecided": _undecided(answer),
             "seconds": {key: round(value, 4) for key, value in self.seconds.items()},

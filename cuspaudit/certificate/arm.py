@@ -27,7 +27,7 @@ from cuspaudit.certificate.balls import (
 )
 from cuspaudit.certificate.model import Certificate, CertifiedJoint
 from cuspaudit.certificate.motions import Axis, axis_from_vector
-from cuspaudit.certificate.play import Play, Step, steps_of_links
+from cuspaudit.certificate.play import frame_of, steps_of_links
 
 __all__ = ["Arm", "ArmJoint", "Screw", "arm_from_certificate"]
 
@@ -147,19 +147,12 @@ def arm_from_certificate(certificate: Certificate, lift: Callable[[arb], S]) -> 
             that it allows.
         lift: turns a ball into the kind of number to compute with.
     """
-    *links, tool = map(_product, steps_of_links(certificate))
+    *links, tool = map(frame_of, steps_of_links(certificate))
     joints = tuple(
         _joint(joint, before, lift)
         for joint, before in zip(certificate.joints, links, strict=True)
     )
     return Arm(joints, lifted_frame(tool, lift), identity(lift(arb(1))))
-
-
-def _product(steps: Sequence[Step]) -> Frame[arb]:
-    frame = identity(arb(1))
-    for step in steps:
-        frame = frame.then(step.frame if isinstance(step, Play) else step)
-    return frame
 
 
 def _joint(

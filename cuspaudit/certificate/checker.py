@@ -160,6 +160,6 @@ def _proof(certificate: Certificate) -> Proof:
 
 def _check_claim(certificate: Certificate) -> None:
     """Refuse a claim that goes beyond what is proved here."""
-    proved = PathCertificate | CuspCertificate
+    proved = PathCertificate | CuspCertificate | PairsCertificate
     if is_loose(certificate) and not isinstance(certificate, proved):
         raise Refusal("a claim about more than one robot, which is not checked here")

@@ -52,16 +52,16 @@ from flint import arb, arb_mat
 from cuspaudit.certificate.arm import Screw
 from cuspaudit.certificate.balls import Frame, Matrix, Row
 from cuspaudit.certificate.loose_arm import LooseArm, PlacedPlay, Walk
-from cuspaudit.certificate.loose_slopes import Slopes, length, slopes_of
+from cuspaudit.certificate.loose_slopes import length, slopes_of
 from cuspaudit.certificate.play import Play
 
 __all__ = ["LooseBox", "second_postures"]
 
-_TRIES = 8
-_MOST_BOXES = 64
+_TRIES = 6
+_MOST_BOXES = 96
 _WIDEST = 1
 """Boxes reach at most so far (rad, or the unit of length) to each side."""
-_TIGHT = 0.4
+_TIGHT = 0.35
 """Boxes in which k is larger are cut, while there may be more."""
 _SPARE = arb(9) / 8
 _SMALL = arb(2) ** -40
@@ -106,34 +106,44 @@ def second_postures(
         found = _over(arm, there, box)
         if found is None:
             return None
-        if all(a < b for a, b in zip(found.rates, radii, strict=True)):
-            return LooseBox(box, max(map(float, radii)), found.change)
+        rates, pieces = found
+        if all(a < b for a, b in zip(rates, radii, strict=True)):
+            change = max(piece.change() for piece in pieces)
+            return LooseBox(box, max(map(float, radii)), change)
         radii = [
-            max((x * _SPARE).upper(), r)
-            for x, r in zip(found.rates, radii, strict=True)
+            max((x * _SPARE).upper(), r) for x, r in zip(rates, radii, strict=True)
         ]
     return None
 
 
-def _over(arm: LooseArm, there: _First, box: Sequence[arb]) -> _Piece | None:
-    """The bounds over a whole box; None where J is not proved regular on it."""
-    waiting, count = [list(box)], 0
-    rates, change = [arb(0)] * len(box), arb(0)
-    while waiting:
-        piece, count = waiting.pop(), count + 1
-        found = _Piece.on(arm, there, piece)
-        is_full = count + len(waiting) >= _MOST_BOXES
-        if not is_full and (found is None or found.k > _TIGHT):
-            middle = [arb(x.mid()) for x in piece]
-            if found is None and _Piece.on(arm, there, middle) is None:
-                return None
-            waiting += _halves(piece)
-        elif found is None:
+def _over(
+    arm: LooseArm, there: _First, box: Sequence[arb]
+) -> tuple[list[arb], list[_Piece]] | None:
+    """The bounds over a whole box, and its pieces; None where J may be singular there.
+
+    The piece with the largest k is cut, until all are tight or there are many.
+    """
+    first = _Piece.on(arm, there, box)
+    pieces: list[tuple[_Piece | None, list[arb]]] = [(first, list(box))]
+    while len(pieces) < _MOST_BOXES:
+        worst = max(range(len(pieces)), key=lambda i: _looseness(pieces[i][0]))
+        found, piece = pieces.pop(worst)
+        if _looseness(found) < _TIGHT:
+            pieces.append((found, piece))
+            break
+        middle = [arb(x.mid()) for x in piece]
+        if found is None and _Piece.on(arm, there, middle) is None:
             return None
-        else:
-            rates = [max(a, b) for a, b in zip(rates, found.rates, strict=True)]
-            change = max(change, found.change)
-    return _Piece(rates, change, arb(0))
+        pieces += [(_Piece.on(arm, there, half), half) for half in _halves(piece)]
+    proved = [found for found, _ in pieces if found is not None]
+    if len(proved) < len(pieces):
+        return None
+    rates = [max(column) for column in zip(*(p.rates for p in proved), strict=True)]
+    return rates, proved
+
+
+def _looseness(found: _Piece | None) -> float:
+    return 1.0 if found is None else float(found.k)
 
 
 def _halves(box: Sequence[arb]) -> list[list[arb]]:
@@ -154,13 +164,33 @@ class _Piece:
 
     Attributes:
         rates: bounds of the |q'_i|.
-        change: the larger of the two bounds of the change of det J on the way.
         k: of the box.
+        walk: from the link, over the box.
+        right: the right hand side of (*).
+        Y: of the box.
+        D: of the box.
+        b: of the box.
     """
 
     rates: list[arb]
-    change: arb
     k: arb
+    walk: Walk
+    right: _Rates
+    Y: arb_mat
+    D: arb_mat
+    b: list[arb]
+
+    def change(self) -> arb:
+        """The larger of the two bounds of the change of det J on the way."""
+        slopes = slopes_of(self.walk)
+        by_rate = _solved(arb_mat([slopes.by_joint]), self.D, self.b, self.k) * self.Y
+        total = arb(0)
+        for place, V, W in self.right:
+            v, w = slopes.in_own_frame(place)
+            along = arb_mat([_entries(v)]) + by_rate * V
+            turning = arb_mat([_entries(w)]) + by_rate * W
+            total += _reach(place.play, along.entries(), turning.entries())
+        return max(total.upper(), slopes.by_play)
 
     @classmethod
     def on(cls, arm: LooseArm, there: _First, box: Sequence[arb]) -> _Piece | None:
@@ -178,7 +208,7 @@ class _Piece:
         if not k < 1:
             return None
         found = [(x + y / (1 - k)).upper() for x, y in zip(b, rest, strict=True)]
-        return cls(found, _change(slopes_of(walk), rates, Y, D, b, k), k)
+        return cls(found, k, walk, rates, Y, D, b)
 
 
 _Rates = list[tuple[PlacedPlay, arb_mat, arb_mat]]
@@ -261,20 +291,6 @@ def _row_bounds(Y: arb_mat, rates: _Rates) -> list[arb]:
         for i in range(Y.nrows()):
             totals[i] += _reach(place.play, by_v[i], by_w[i])
     return totals
-
-
-def _change(
-    slopes: Slopes, rates: _Rates, Y: arb_mat, D: arb_mat, b: Sequence[arb], k: arb
-) -> arb:
-    """The larger of the two bounds of the change of det J on the way."""
-    by_rate = _solved(arb_mat([slopes.by_joint]), D, b, k) * Y
-    total = arb(0)
-    for place, V, W in rates:
-        v, w = slopes.in_own_frame(place)
-        along = arb_mat([_entries(v)]) + by_rate * V
-        turning = arb_mat([_entries(w)]) + by_rate * W
-        total += _reach(place.play, along.entries(), turning.entries())
-    return max(total.upper(), slopes.by_play)
 
 
 def _solved(f: arb_mat, D: arb_mat, b: Sequence[arb], k: arb) -> arb_mat:

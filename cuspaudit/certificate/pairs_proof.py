@@ -43,6 +43,9 @@ serves in boxes that hold such a value. That r is not 0 for all h there is teste
 of its coefficients of 1 and cos h is not 0. Where the axes are not square, d != 0 is
 asked for, and L > 0 follows.
 
+With play (`play`) the circles are balls that hold those of every robot, and what is
+proved with them holds for each; axes 1 and 2 are square for each where no play turns.
+
 Boxes in which none of the three is proved are halved. (m, h) and (m + pi, pi - h) are
 the same two postures, exchanged, so 0 <= m <= 2 pi, 0 <= h <= pi/2 has them all.
 """
@@ -59,7 +62,8 @@ from cuspaudit.certificate.axes import are_square
 from cuspaudit.certificate.balls import ball_from_fraction, working_precision
 from cuspaudit.certificate.cover import Refusal
 from cuspaudit.certificate.determinant import jacobian_determinant
-from cuspaudit.certificate.model import PairsCertificate
+from cuspaudit.certificate.model import Loose, PairsCertificate
+from cuspaudit.certificate.play import for_every_robot, without_play
 from cuspaudit.certificate.value_circles import ValueCircles, value_circles
 
 __all__ = ["PairsProof"]
@@ -93,18 +97,27 @@ class PairsProof:
         if any(joint.kind != "revolute" for joint in self.certificate.joints):
             raise Refusal("a joint slides: the theorem is about three that turn")
         with working_precision(self.bits):
-            is_square = are_square(self.certificate, 1)
+            is_square = self._is_square()
             pairs = _Pairs(value_circles(self.certificate, is_square), is_square)
             pairs.check()
             self._part(pairs)
             self._cover(pairs)
             return self._regular()
 
+    def _is_square(self) -> bool:
+        """Whether axes 1 and 2 are square for every robot: no play tilts them."""
+        tolerance = self.certificate.tolerance
+        link = self.certificate.joints[1].before
+        is_tilted = any(isinstance(m, Loose) and m.kind == "turn" for m in link)
+        if is_tilted or (tolerance is not None and tolerance.angles):
+            return False
+        return are_square(without_play(self.certificate), 1)
+
     def summary(self) -> str:
         """What `run` has proved, in one sentence."""
         return (
             "noncuspidal: no two postures of one position lie in one aspect, proved in "
-            f"{self.boxes} boxes of pairs"
+            f"{self.boxes} boxes of pairs{for_every_robot(self.certificate)}"
         )
 
     def _part(self, pairs: _Pairs) -> None:

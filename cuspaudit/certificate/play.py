@@ -48,7 +48,7 @@ from fractions import Fraction
 
 from flint import arb
 
-from cuspaudit.certificate.balls import Frame, Row, ball_from_fraction
+from cuspaudit.certificate.balls import Frame, Row, ball_from_fraction, identity
 from cuspaudit.certificate.model import (
     Certificate,
     Loose,
@@ -58,7 +58,14 @@ from cuspaudit.certificate.model import (
 )
 from cuspaudit.certificate.motions import axis_from_vector, frame_from_motions
 
-__all__ = ["Play", "Step", "for_every_robot", "steps_of_links", "without_play"]
+__all__ = [
+    "Play",
+    "Step",
+    "for_every_robot",
+    "frame_of",
+    "steps_of_links",
+    "without_play",
+]
 
 
 @dataclass(frozen=True, slots=True)
@@ -148,6 +155,14 @@ def _steps(motions: Iterable[Motion]) -> Iterable[Step]:
             fixed.append(motion)
     if fixed:
         yield frame_from_motions(fixed)
+
+
+def frame_of(steps: Iterable[Step]) -> Frame[arb]:
+    """The product of the steps of a link: it encloses what all play makes of it."""
+    frame = identity(arb(1))
+    for step in steps:
+        frame = frame.then(step.frame if isinstance(step, Play) else step)
+    return frame
 
 
 def _of_tolerance(tolerance: Tolerance) -> Play:

@@ -35,7 +35,8 @@ from cuspaudit.certificate.balls import (
 )
 from cuspaudit.certificate.cover import Refusal
 from cuspaudit.certificate.model import Certificate
-from cuspaudit.certificate.motions import axis_from_vector, frame_from_motions
+from cuspaudit.certificate.motions import axis_from_vector
+from cuspaudit.certificate.play import frame_of, steps_of_links
 
 __all__ = ["ValueCircles", "value_circles"]
 
@@ -79,7 +80,8 @@ def value_circles(certificate: Certificate, is_square: bool) -> ValueCircles:
     """Return the circles at the working precision.
 
     Args:
-        certificate: of three joints that turn.
+        certificate: of three joints that turn; with play the circles enclose those of
+            every robot that it allows.
         is_square: whether e.n = 0, exactly.
 
     Raises:
@@ -87,11 +89,12 @@ def value_circles(certificate: Certificate, is_square: bool) -> ValueCircles:
     """
     one, two, three = certificate.joints
     e, n, m = (axis_from_vector(joint.axis, arb).n for joint in (one, two, three))
-    frame = identity(arb(1)).then(frame_from_motions(two.before))
+    _, to_two, to_three, to_tip = map(frame_of, steps_of_links(certificate))
+    frame = identity(arb(1)).then(to_two)
     n, o = turned(frame.R, n), frame.p
-    frame = frame.then(frame_from_motions(three.before))
+    frame = frame.then(to_three)
     m, o3 = turned(frame.R, m), frame.p
-    tip = frame.then(frame_from_motions(certificate.tool)).p
+    tip = frame.then(to_tip).p
     squared, along = _waves(n, _less(o3, o), m, _less(tip, o3))
     across = _value(minus(arb(1), _squared(dot(e, n))))
     shift = _value(minus(dot(o, e), times(dot(o, n), dot(e, n))))

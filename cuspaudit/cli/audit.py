@@ -25,6 +25,7 @@ from cuspaudit.cli.outlet import JsonFile, check_outlets, write_json
 from cuspaudit.cli.robot_options import RobotOptions, with_robot_options
 from cuspaudit.cli.running import run_audit
 from cuspaudit.cli.summary import print_summary
+from cuspaudit.errors import InvalidInputError
 
 if TYPE_CHECKING:
     from cuspaudit.robot.robot import Robot
@@ -66,6 +67,14 @@ def audit(
             help="Exit code and certificate of the verdict within the joint limits.",
         ),
     ] = False,
+    tolerance: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="FILE",
+            help="Is every arm so, whose axes are off by no more? FILE is YAML with "
+            "lengths and angles. The exit code is that of the arm itself.",
+        ),
+    ] = None,
     calibration: Annotated[
         Path | None,
         typer.Option(
@@ -87,7 +96,7 @@ def audit(
     ] = False,
 ) -> None:
     """Import, decide, certify, cross-check and report: the main job."""
-    from cuspaudit.auditing.certificates import certificate_text
+    from cuspaudit.auditing.certificates import certificate_text, is_of_many_arms
     from cuspaudit.auditing.proof_record import proof_record
     from cuspaudit.robot.proposals import check_task
     from cuspaudit.runtime.waiting import waited
@@ -100,14 +109,14 @@ def audit(
             "audit",
             reading.by_flag()
             | {"--certificate": certificate, "--all": every, "--free": free}
-            | {"--calibration": calibration},
+            | {"--calibration": calibration, "--tolerance": tolerance},
         )
         audit_mechanism(mechanism, json_file, html, seed, timeout, exit_zero)
     if every:
         check_alone(
             reading.by_flag("base", "package", "xacro_arg")
             | {"--html": html, "--certificate": certificate, "--free": free}
-            | {"--calibration": calibration}
+            | {"--calibration": calibration, "--tolerance": tolerance}
         )
         audit_chains(
             *(robot, reading.base, json_file, engine.value, snap, seed, timeout),
@@ -117,7 +126,10 @@ def audit(
         return
     opened = open_named(robot, reading, square=False)
     if free:
-        refuse_beside_free({"--certificate": certificate, "--calibration": calibration})
+        refuse_beside_free(
+            {"--certificate": certificate, "--calibration": calibration}
+            | {"--tolerance": tolerance}
+        )
         audit_free(
             *(opened, free, json_file, html, snap, seed, timeout, within, exit_zero)
         )
@@ -125,14 +137,21 @@ def audit(
         audit_every_lock(opened, json_file, snap, seed, timeout, exit_zero)
     check_task(opened.chain, opened.file)
     if calibration:
+        if tolerance:
+            found, expected = (
+                "--tolerance beside --calibration",
+                "leave one of them out",
+            )
+            raise InvalidInputError(file="audit", found=found, expected=expected)
         audit_with_calibration(
             *(opened, calibration, json_file, html, certificate, snap, seed, timeout),
             *(within, exit_zero),
         )
-    result = run_audit(opened, seed, timeout, snap, engine.value)
+    result = run_audit(opened, seed, timeout, snap, engine.value, tolerance)
     proof = certificate_text(result, within) if certificate or html else None
     written = str(certificate) if certificate and proof else None
-    record = result.record(*((None, written) if within else (written, None)))
+    which = 1 if within else 2 if is_of_many_arms(result) else 0
+    record = result.record(*(written if k == which else None for k in range(3)))
     record["seconds"]["total"] = round(waited(), 4)
     if certificate:
         write_text(certificate, proof or proof_record(result.answer))

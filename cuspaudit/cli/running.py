@@ -5,6 +5,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -17,7 +18,15 @@ __all__ = ["STEPS", "progress_bar", "run_audit"]
 STEPS = (
     *("import", "reductions", "crit", "atypical_values", "roadmap"),
     *("sample_points_rational", "sample_points", "graph_isotop", "cusps and nodes"),
-    *("certificate", "search", "pairs", "aspects", "literal", "crosscheck"),
+    *(
+        "certificate",
+        "search",
+        "pairs",
+        "aspects",
+        "literal",
+        "tolerance",
+        "crosscheck",
+    ),
 )
 
 
@@ -27,6 +36,7 @@ def run_audit(
     timeout: float | None,
     snap: str,
     engine: str = "auto",
+    tolerance: Path | None = None,
 ) -> Audit:
     """The audit of a robot, its steps shown on a terminal.
 
@@ -35,10 +45,12 @@ def run_audit(
     """
     from cuspaudit.auditing.audit import Options, audit
     from cuspaudit.robot.snap_policy import policy_from_name
+    from cuspaudit.robot.tolerance import tolerance_from_file
 
     policy = policy_from_name(snap)
+    allowed = None if tolerance is None else tolerance_from_file(str(tolerance))
     with progress_bar(STEPS) as step:
-        return audit(robot, Options(seed, timeout, step, policy, engine))
+        return audit(robot, Options(seed, timeout, step, policy, engine, allowed))
 
 
 @contextmanager

@@ -12,6 +12,7 @@ from rich.table import Table
 from rich.text import Text
 
 from cuspaudit.robot.distance_text import distance_text, structure_words
+from cuspaudit.robot.tolerance_text import tolerance_words
 
 __all__ = ["print_import", "print_summary"]
 
@@ -34,6 +35,7 @@ def print_summary(record: Mapping[str, Any], files: Mapping[str, Any]) -> None:
         "why": proof["why"],
         "proof": ", ".join([proof["kind"], *proof["rests_on"]]) + _of_model(proof),
         "within limits": _within(record.get("limits")),
+        "over tolerance": tolerance_words(record.get("tolerance"), robot["unit"]),
         "literal": f"{models['literal']} for the numbers exactly as the file has them"
         + _hair(record.get("literal_witness"), record.get("literal_why")),
         "snapped": f"{len(robot['snapped'])} numbers; see `cuspaudit import`"

@@ -8,6 +8,7 @@ from pathlib import Path
 
 from cuspaudit.robot.chain import Chain
 from cuspaudit.robot.place import Place, quoted
+from cuspaudit.robot.tolerance import AxisTolerance
 
 __all__ = ["COUNTS", "VERDICTS", "WITHIN", "Reading", "Robot", "parse_expectation"]
 
@@ -46,6 +47,7 @@ class Robot:
         other_convention: what the same D-H table gives in the other convention; None
             where there is none.
         beside: the same chain to other links of the body its tip is on.
+        tolerance: how far its axes may be off as built; None where the file is silent.
     """
 
     name: str
@@ -59,6 +61,7 @@ class Robot:
     locked: Mapping[str, str] = field(default_factory=dict)
     other_convention: Reading | None = None
     beside: tuple[Chain, ...] = ()
+    tolerance: AxisTolerance | None = None
 
     def __repr__(self) -> str:
         """The robot in one short line."""

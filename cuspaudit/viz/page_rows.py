@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from cuspaudit.robot.distance_text import distance_text, structure_words
+from cuspaudit.robot.tolerance_text import tolerance_words
 from cuspaudit.viz.advice import undecided_words
 from cuspaudit.viz.scene.scene import Scene
 
@@ -149,8 +150,14 @@ def proof_rows(audit: Audit) -> list[tuple[str, str]]:
         ("Engine", proof.get("engine")),
         ("Rests on", ", ".join(map(str, proof.get("rests_on") or []))),
         ("Proved for", _NUMBERS.get(str(proof.get("model")))),
+        ("Over a tolerance", _tolerance(audit)),
     ]
     return [(label, str(text)) for label, text in rows if text]
+
+
+def _tolerance(audit: Audit) -> str | None:
+    unit = str(part(audit, "robot").get("unit"))
+    return tolerance_words(part(audit, "tolerance"), unit)
 
 
 _NUMBERS = {

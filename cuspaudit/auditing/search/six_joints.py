@@ -76,6 +76,7 @@ def search(
     seed: int = 0,
     progress: Callable[[str], None] = lambda step: None,
     most: int = _MOST,
+    kept: int = _KEPT,
 ) -> Search:
     """Look for nonsingular paths between two postures of one pose.
 
@@ -85,6 +86,7 @@ def search(
         progress: called before each batch of poses; an UnableError it raises ends the
             search, and is kept in the record.
         most: random poses to be tried when no wide path is met; 64 otherwise.
+        kept: proposals at most.
 
     Raises:
         UnableError: the chain is not of this kind.
@@ -98,7 +100,7 @@ def search(
             looking.look()
     except UnableError as limit:
         looking.stopped = str(limit)
-    return looking.result()
+    return looking.result(kept)
 
 
 @dataclass(frozen=True, eq=False)
@@ -200,7 +202,7 @@ class _Looking:
             self.joined.add((tuple(first), tuple(second)))
             self.couples.append(_Couple(first, second, sign, height, way))
 
-    def result(self) -> Search:
+    def result(self, kept: int) -> Search:
         """The record, and the widest proposals."""
         self.couples.sort(key=lambda couple: -couple.height)
         scale = self.solver.scale**3
@@ -214,7 +216,7 @@ class _Looking:
             seed=self.seed,
             stopped=self.stopped,
         )
-        proposals = tuple(map(self._proposal, self.couples[:_KEPT]))
+        proposals = tuple(map(self._proposal, self.couples[:kept]))
         return Search(record, proposals, self.largest * scale)
 
     def _proposal(self, couple: _Couple) -> Proposal:

@@ -42,12 +42,13 @@ from cuspaudit.robot.place import Place, listing
 from cuspaudit.robot.robot import Reading, Robot, parse_expectation
 from cuspaudit.robot.tables import Table
 from cuspaudit.robot.task import check_limits, default_task, parse_task
+from cuspaudit.robot.tolerance import AxisTolerance, parse_tolerance
 
 __all__ = ["chain_from_rows", "read_dh", "robot_from_table"]
 
 _HEAD = (
     *("name", "title", "source", "convention", "units", "angle_unit"),
-    *("task", "base", "tip", "tool", "expect"),
+    *("task", "base", "tip", "tool", "expect", "tolerance"),
 )
 _MANY_TURNS = 12.566
 
@@ -112,7 +113,14 @@ def robot_from_table(
         other_convention=Reading(
             other.convention, _chain(head, rows, other, path, task)
         ),
+        tolerance=_tolerance(head, place),
     )
+
+
+def _tolerance(head: Mapping[str, object], place: Place) -> AxisTolerance | None:
+    if head.get("tolerance") is None:
+        return None
+    return parse_tolerance(head["tolerance"], place.at("tolerance"))
 
 
 def _chain(

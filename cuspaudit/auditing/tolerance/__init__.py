@@ -1,0 +1,1 @@
+"""What an arm turns into when its axes are a little elsewhere."""

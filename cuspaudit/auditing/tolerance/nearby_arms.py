@@ -1,0 +1,124 @@
+"""Arms of a box, built one by one: what play makes of an arm that a structure decides.
+
+Both axes of each link are off by as much as the box allows, in random directions. Each
+arm is searched for a path between two postures of one pose, and a path that is met is
+proved for its numbers. Arms are sampled: what no arm showed may still be there.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from itertools import islice
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cuspaudit.auditing.cusp_witness import find_cusps
+from cuspaudit.auditing.deciders.by_search import search_witness
+from cuspaudit.auditing.search.around_cusp import paths_around
+from cuspaudit.auditing.witness import certified
+from cuspaudit.errors import RetryableError, UnableError
+from cuspaudit.robot.chain import Angle, Chain, Motion, Rotation, Translation
+from cuspaudit.robot.frames import jacobian
+from cuspaudit.robot.tolerance import AxisTolerance
+from cuspaudit.runtime.clock import Clock, check_time
+
+__all__ = ["NearbyArms", "built_arm", "nearby_arms"]
+
+Array = NDArray[np.float64]
+_ARMS = 24
+_POSES = 32
+_AROUND = 12
+_HEIGHTS = 2000
+_INSIDE = Fraction(999_999, 1_000_000)
+"""A little less than the box, as directions are rounded."""
+
+
+@dataclass(frozen=True, slots=True)
+class NearbyArms:
+    """What was seen of arms at the edge of a box.
+
+    Attributes:
+        arms: how many were looked at.
+        cuspidal: of how many a path is proved.
+        clearance: the largest of their paths, as a share of the largest |det J| met;
+            None when none is cuspidal.
+        seed: of the random directions.
+    """
+
+    arms: int
+    cuspidal: int
+    clearance: float | None
+    seed: int
+
+
+def nearby_arms(
+    chain: Chain, box: AxisTolerance, seed: int, clock: Clock, count: int = _ARMS
+) -> NearbyArms:
+    """Look at ``count`` arms at the edge of the box, or at fewer when time is up."""
+    rng = np.random.default_rng(seed)
+    seen, met = 0, list[float]()
+    for number in range(count):
+        try:
+            clock.step(f"tolerance: arm {number + 1} of {count}")
+            check_time("tolerance")
+            clearance = _clearance(built_arm(chain, box, rng), seed)
+        except UnableError:
+            break
+        seen += 1
+        if clearance is not None:
+            met.append(clearance)
+    return NearbyArms(seen, len(met), max(met, default=None), seed)
+
+
+def built_arm(chain: Chain, box: AxisTolerance, rng: np.random.Generator) -> Chain:
+    """An arm at the edge of the box, exactly."""
+    joints = tuple(
+        replace(joint, before=(*_off(box, rng), *joint.before, *_off(box, rng)))
+        for joint in chain.joints
+    )
+    return replace(chain, joints=joints, tool=(*chain.tool, *_off(box, rng)))
+
+
+def _off(box: AxisTolerance, rng: np.random.Generator) -> tuple[Motion, ...]:
+    """A play of full length and full angle."""
+    v, w = (
+        tuple(Fraction(round(x, 9)) for x in (row / np.linalg.norm(row)).tolist())
+        for row in rng.normal(size=(2, 3))
+    )
+    way = (v[0] * box.lengths, v[1] * box.lengths, v[2] * box.lengths)
+    inside = (way[0] * _INSIDE, way[1] * _INSIDE, way[2] * _INSIDE)
+    turn = Rotation((w[0], w[1], w[2]), Angle(radians=box.angles * _INSIDE))
+    return Translation(_short(inside)), turn
+
+
+def _short(vector: tuple[Fraction, ...]) -> tuple[Fraction, Fraction, Fraction]:
+    """Each number as the decimal that prints as its float."""
+    x, y, z = (Fraction(repr(float(number))) for number in vector)
+    return x, y, z
+
+
+def _clearance(chain: Chain, seed: int) -> float | None:
+    """The clearance of the widest path that is met and proved; None without one."""
+    if chain.task == "pose":
+        witness = search_witness(chain, seed, most=_POSES).witness
+        return None if witness is None else witness.clearance
+    free = [None] * len(chain.joints)
+    best = None
+    for cusp in islice(find_cusps(chain, seed, inside=False), 1):
+        for path in islice(paths_around(chain, cusp.posture, free), _AROUND):
+            try:
+                witness = certified(chain, path, _largest(chain, seed))
+            except RetryableError:
+                continue
+            if witness.clearance is not None:
+                best = max(best or 0.0, witness.clearance)
+    return best
+
+
+def _largest(chain: Chain, seed: int) -> float:
+    """The largest |det J| of random postures."""
+    rng = np.random.default_rng(seed)
+    postures = rng.uniform(-np.pi, np.pi, (_HEIGHTS, len(chain.joints)))
+    return max(abs(float(np.linalg.det(jacobian(chain, q)))) for q in postures)
