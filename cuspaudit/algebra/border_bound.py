@@ -5,9 +5,11 @@ of I at first. Replace V by V + x_1 V' + ... + x_n V', V' its members of degree 
 until nothing is new. All of it stays in I. **The monomials that no leading monomial of
 V divides span Q[x]/I**, as the remainder by V is made of them [Cox, Little, O'Shea,
 *Ideals, Varieties, and Algorithms*, 2.3]: their number bounds dim Q[x]/I, which counts
-the solutions with multiplicities. No Groebner basis is claimed. In comparison with the
-multiples of the generators (``algebra.macaulay``), D is the largest degree of what is
-multiplied, not of the whole product: mostly much smaller.
+the solutions with multiplicities. And the zero set has no larger dimension than the
+largest number of variables in which alone no leading monomial is [the same, 9.3], as
+more leading monomials leave fewer. No Groebner basis is claimed. In comparison
+with the multiples of the generators (``algebra.macaulay``), D is the largest degree of
+what is multiplied, not of the whole product: mostly much smaller.
 
 A run modulo a small prime, in doubles, finds D and the few products that are new; these
 are then reduced over Q, by products and solutions of matrices. Of the prime nothing is
@@ -16,7 +18,7 @@ assumed: a leading monomial counts when it is one over Q.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from math import comb
 
@@ -24,14 +26,19 @@ import numpy as np
 from flint import fmpz, fmpz_mat
 from numpy.typing import NDArray
 
-from cuspaudit.algebra.ideal import Exponents, as_exponents, degree_reverse_key
+from cuspaudit.algebra.ideal import (
+    Exponents,
+    as_exponents,
+    degree_reverse_key,
+    free_variables,
+)
 from cuspaudit.algebra.macaulay import monomials, times
 from cuspaudit.algebra.rational_echelon import rational_echelon
 from cuspaudit.algebra.ring import Polynomial, Ring
 from cuspaudit.algebra.trigonometric import primitive
 from cuspaudit.runtime.clock import check_time
 
-__all__ = ["border_bound"]
+__all__ = ["border_bound", "is_dimension_below"]
 
 Array = NDArray[np.float64]
 Whole = NDArray[np.int64]
@@ -59,6 +66,37 @@ def border_bound(ring: Ring, polynomials: Sequence[Polynomial], points: int) -> 
     Returns:
         False when it was not proved with degrees and sizes that are tried.
     """
+
+    def met(space: _Space, leading: Sequence[int]) -> bool:
+        found = space.staircase(leading)
+        return found is not None and found <= points
+
+    return _proves(ring, polynomials, met)
+
+
+def is_dimension_below(
+    ring: Ring, polynomials: Sequence[Polynomial], dimension: int
+) -> bool:
+    """Whether the zero set in C^n was proved to have a dimension below that given.
+
+    Args:
+        ring: Q[x_1..x_n].
+        polynomials: elements of the ideal, nonzero.
+        dimension: at least 0.
+
+    Returns:
+        False when it was not proved with degrees and sizes that are tried.
+    """
+    n = len(ring.variables)
+
+    def met(space: _Space, leading: Sequence[int]) -> bool:
+        return free_variables(n, [space.columns[i] for i in leading]) < dimension
+
+    return _proves(ring, polynomials, met)
+
+
+def _proves(ring: Ring, polynomials: Sequence[Polynomial], met: Goal) -> bool:
+    """Whether elements of bounded degree have leading monomials that meet a goal."""
     n = len(ring.variables)
     rows = [_row(ring, p) for p in polynomials]
     lowest = max((sum(e) for row in rows for e in row), default=0)
@@ -67,10 +105,14 @@ def border_bound(ring: Ring, polynomials: Sequence[Polynomial], points: int) -> 
             return False
         space = _Space(n, degree)
         given = [space.vector(row) for row in rows]
-        plan = _plan(space, given, points)
+        plan = _plan(space, given, met)
         if plan is not None:
-            return _is_exact(space, given, plan, points)
+            return _is_exact(space, given, plan)
     return False
+
+
+Goal = Callable[["_Space", Sequence[int]], bool]
+"""Whether leading monomials, by their places, are enough."""
 
 
 class _Space:
@@ -118,9 +160,9 @@ class _Round:
 
 
 def _plan(
-    space: _Space, given: Sequence[Sequence[int]], points: int
+    space: _Space, given: Sequence[Sequence[int]], met: Goal
 ) -> list[_Round] | None:
-    """What is new modulo the prime, round by round; None if the bound is not met."""
+    """What is new modulo the prime, round by round; None if the goal is not met."""
     rows = np.array([[v % _PRIME for v in row] for row in given], dtype=float)
     products: list[Product] = [(i, -1) for i in range(len(rows))]
     blocks: list[tuple[list[int], Array]] = []
@@ -134,8 +176,7 @@ def _plan(
             return None
         blocks.append((pivots, block))
         rounds.append(_Round([products[i] for i in chosen], pivots))
-        found = space.staircase([p for step in rounds for p in step.pivots])
-        if found is not None and found <= points:
+        if met(space, [p for step in rounds for p in step.pivots]):
             return rounds
         products = _products(space, pivots)
         rows = np.array([_moved(space, block[i], j) for i, j in products])
@@ -187,7 +228,6 @@ def _is_exact(
     space: _Space,
     given: Sequence[Sequence[int]],
     plan: Sequence[_Round],
-    points: int,
 ) -> bool:
     """Whether the products of the plan, reduced over Q, have these leading monomials.
 
@@ -216,8 +256,7 @@ def _is_exact(
             return False
         blocks.append((step.pivots, reduced, below))
         last = [_primitive(row) for row in last]
-    found = space.staircase([p for step in plan for p in step.pivots])
-    return found is not None and found <= points
+    return True
 
 
 def _moved_exactly(space: _Space, row: list[fmpz], variable: int) -> list[fmpz]:

@@ -33,6 +33,7 @@ __all__ = [
     "LIMITS",
     "GroebnerBasis",
     "dimension_bound",
+    "free_variables",
     "groebner_basis",
     "ideal_elements",
     "normal_form",
@@ -74,7 +75,7 @@ class GroebnerBasis:
     @property
     def dimension(self) -> int:
         """The dimension of the zero set in C^n, -1 when it is empty."""
-        return _free_variables(len(self.ring.variables), self.leading)
+        return free_variables(len(self.ring.variables), self.leading)
 
     def free_sets(self) -> list[tuple[str, ...]]:
         """The sets of as many variables as the dimension, independent modulo I.
@@ -194,7 +195,7 @@ def dimension_bound(
     """
     found, complete = ideal_elements(ring, polynomials, limits)
     leading = [as_exponents(g.monomial(0)) for g in found]
-    return _free_variables(len(ring.variables), leading), complete
+    return free_variables(len(ring.variables), leading), complete
 
 
 def normal_form(
@@ -236,7 +237,7 @@ def degree_reverse_key(exponents: Exponents) -> tuple[int, Exponents]:
     return sum(exponents), tuple(-e for e in reversed(exponents))
 
 
-def _free_variables(n: int, leading: Sequence[Exponents]) -> int:
+def free_variables(n: int, leading: Sequence[Exponents]) -> int:
     """The largest number of variables with no leading monomial in these alone.
 
     -1 when 1 is among the monomials [Cox, Little, O'Shea, *Ideals, Varieties, and

@@ -19,6 +19,7 @@ from contextlib import suppress
 from dataclasses import dataclass, replace
 
 from cuspaudit.algebra.border_bound import border_bound
+from cuspaudit.algebra.dependent_variables import without_dependents
 from cuspaudit.algebra.finite_algebra import (
     FiniteAlgebra,
     parametrization_of,
@@ -88,7 +89,11 @@ def solve_zero_dimensional(
     wanted = system.ring.variables if variables is None else tuple(variables)
     plain = Posed(system.ring, tuple(equations), wanted)
     if nonzero is None:
-        return _exact(plain, timeout, seed) or _by_msolve(plain, timeout, seed)
+        return (
+            _exact(plain, timeout, seed)
+            or _by_dependents(plain, timeout, seed)
+            or _by_msolve(plain, timeout, seed)
+        )
     ring, lifted = with_inverse(plain.ring, plain.equations, nonzero)
     saturated = Posed(ring, tuple(lifted), plain.variables)
     found = _exact(saturated, timeout, seed)
@@ -133,6 +138,20 @@ def _exact(
             if found.degree == bound:
                 return replace(found, grounds=(BASIS,))
     return parametrization_of(_kept(quotient_algebra(basis), posed), (BASIS,), seed)
+
+
+def _by_dependents(
+    posed: Posed, timeout: float, seed: int
+) -> ZeroDimensionalParametrization | None:
+    """The zeros by those of a system in fewer variables; None when that fails."""
+    if posed.variables != posed.ring.variables:
+        return None
+    smaller = without_dependents(posed.ring, posed.equations)
+    if smaller is None:
+        return None
+    own = Posed(smaller.ring, smaller.equations, smaller.ring.variables)
+    found = _exact(own, timeout, seed)
+    return None if found is None else smaller.lifted(found)
 
 
 def _in_the_plane(

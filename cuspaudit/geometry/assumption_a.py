@@ -18,6 +18,7 @@ from __future__ import annotations
 
 from itertools import combinations
 
+from cuspaudit.algebra.border_bound import is_dimension_below
 from cuspaudit.algebra.ideal import (
     GroebnerBasis,
     dimension_bound,
@@ -83,6 +84,8 @@ def _singular_dimension(ring: Ring, singular: list[Polynomial], dimension: int) 
         return bound
     if complete:
         raise NotRadicalError("on a component of V, where their Jacobian drops rank")
+    if is_dimension_below(ring, singular, dimension):
+        return dimension - 1
     raise UnableError("check_assumption_a", "the singular set of V is too large")
 
 

@@ -6,7 +6,7 @@ import pytest
 from flint import fmpq
 
 from cuspaudit.algebra import border_bound as module
-from cuspaudit.algebra.border_bound import border_bound
+from cuspaudit.algebra.border_bound import border_bound, is_dimension_below
 from cuspaudit.algebra.ring import Polynomial, Ring
 
 
@@ -69,3 +69,17 @@ def test_numbers_that_grow() -> None:
     ]
     assert border_bound(ring, equations, 8)
     assert not border_bound(ring, equations, 7)
+
+
+def test_dimensions_are_bounded_from_above() -> None:
+    """Points and curves where they are, and no less; empty sets have -1."""
+    ring = Ring(["x", "y", "z"])
+    x, y, z = ring.gens
+    cubic = [y - x**2, z - x**3]
+    assert is_dimension_below(ring, cubic, 2)
+    assert not is_dimension_below(ring, cubic, 1)
+    assert is_dimension_below(ring, [*cubic, x + y + z - 1], 1)
+    assert not is_dimension_below(ring, [*cubic, x + y + z - 1], 0)
+    assert is_dimension_below(ring, [x * y - 1, x * z, y * z, z - 1], 0)
+    # two planes that meet in a line, and a point off it
+    assert not is_dimension_below(ring, [x * y * (z - 1), x * y * (x - 1)], 2)

@@ -1,5 +1,8 @@
 from __future__ import annotations
 
+import random
+from itertools import combinations_with_replacement
+
 import pytest
 
 from cuspaudit.algebra.ring import Ring
@@ -146,3 +149,18 @@ def test_a_five_bar_that_folds_flat_is_only_singular_there() -> None:
     loop = (c + 2 - big_c) ** 2 + (s - big_s) ** 2 - 4
     circles = (c**2 + s**2 - 1, big_c**2 + big_s**2 - 1)
     check_assumption_a(PolynomialSystem(ring, (*circles, loop)), 1)
+
+
+@pytest.mark.slow
+def test_a_curve_of_four_quadrics_in_five_dimensions() -> None:
+    """Dense equations: that no point is singular needs no Groebner basis."""
+    ring = Ring(["a", "b", "c", "d", "e"])
+    chance = random.Random(1)
+    quadrics = []
+    for _ in range(4):
+        terms = [p * q for p, q in combinations_with_replacement(ring.gens, 2)]
+        terms += [*ring.gens, ring.constant(1)]
+        quadrics.append(ring.total(chance.randint(-3, 3) * term for term in terms))
+    check_assumption_a(PolynomialSystem(ring, tuple(quadrics)), 1)
+    with pytest.raises(NotEquidimensionalError):
+        check_assumption_a(PolynomialSystem(ring, tuple(quadrics)), 2)
