@@ -29,6 +29,7 @@ from cuspaudit.auditing.free_joint.witness_search import WitnessSearch
 from cuspaudit.auditing.free_joint.witnessed import Walk
 from cuspaudit.auditing.joint_limits import rational_limits
 from cuspaudit.auditing.options import Options
+from cuspaudit.auditing.within_limits import within_limits
 from cuspaudit.certificate import Limits
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import (
@@ -50,6 +51,8 @@ from cuspaudit.runtime.clock import Clock, time_limit
 __all__ = ["free_joint", "lockable"]
 
 _TASKS = ("position", "pose", *TOOL_AXES)
+_OF_THE_NUMBERS = ("cusp", "witness", "apart")
+"""Proofs within limits that hold for the numbers of a chain, whatever its model."""
 
 
 def free_joint(
@@ -117,7 +120,7 @@ def lockable(robot: Robot) -> list[str]:
 def _stretches(
     held: LockedArm, domain: Span, seed: int, within: bool, clock: Clock
 ) -> Iterator[Stretch]:
-    idle = _if_idle(held, domain, seed, clock)
+    idle = _if_idle(held, domain, seed, within, clock)
     if idle is not None:
         yield idle
         return
@@ -136,7 +139,9 @@ def _stretches(
             yield from (search.remarked(each) for each in walk.over(part.span))
 
 
-def _if_idle(held: LockedArm, domain: Span, seed: int, clock: Clock) -> Stretch | None:
+def _if_idle(
+    held: LockedArm, domain: Span, seed: int, within: bool, clock: Clock
+) -> Stretch | None:
     """The one verdict, where the value of the lock does not matter."""
     is_last = held.number == len(held.whole.joints) and held.whole.task == "pose"
     if held.number > 1 and not is_last:
@@ -146,9 +151,15 @@ def _if_idle(held: LockedArm, domain: Span, seed: int, clock: Clock) -> Stretch 
     )
     moved = "tool" if is_last else "base"
     why = f"the value moves the {moved} alone; {found.why}"
-    if found.verdict is Verdict.UNDECIDED or not is_carried(found):
-        return Stretch(domain, Verdict.UNDECIDED, "none", why)
-    return Stretch(domain, found.verdict, "idle", why)
+    verdict = found.verdict if is_carried(found) else Verdict.UNDECIDED
+    if within and verdict is not Verdict.NONCUSPIDAL:
+        inside = within_limits(found, found.model.chain, seed, clock)
+        if inside is not None:
+            why = f"the value moves the {moved} alone; {inside.why}"
+            is_proved = found.model.is_exact or inside.kind in _OF_THE_NUMBERS
+            verdict = inside.verdict if is_proved else Verdict.UNDECIDED
+    kind = "none" if verdict is Verdict.UNDECIDED else "idle"
+    return Stretch(domain, verdict, kind, why)
 
 
 def _limits(locks: Locks) -> Limits:

@@ -10,7 +10,7 @@ every theorem supposes.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from flint import ctx
 
@@ -42,11 +42,13 @@ class Structure:
     Attributes:
         name: of the theorem.
         why: what holds, of the axes of the arm that is left.
+        held: the arm, or the same from tip to base, in whose ring the conditions are.
         conditions: what else its hypotheses are, where it is to be used.
     """
 
     name: str
     why: str
+    held: LockedArm
     conditions: tuple[Condition, ...] = ()
 
 
@@ -62,9 +64,12 @@ def structures(held: LockedArm) -> tuple[Structure, ...]:
     found = list(_slides(held))
     if kinds == ("revolute",) * 6:
         found += [*_wrist(held, "spherical wrist"), *_ur_pattern(held)]
-        for each in _wrist(held.reversed(), "spherical shoulder"):
-            why = f"{each.why}, counted from the tip"
-            found.append(Structure(each.name, why, each.conditions))
+        back = held.reversed()
+        if back.arm.is_exact or not held.arm.is_exact:
+            found += [
+                replace(each, why=f"{each.why}, counted from the tip")
+                for each in _wrist(back, "spherical shoulder")
+            ]
         found += _triple_and_pair(held)
     return tuple(found)
 
@@ -76,7 +81,8 @@ def holds(held: LockedArm, structure: Structure, span: Span) -> bool:
     """
     with ctx.workprec(_BITS):
         return all(
-            held.differs(condition, span) for condition in structure.conditions
+            structure.held.differs(condition, span)
+            for condition in structure.conditions
         ) and is_regular(held, span)
 
 
@@ -86,15 +92,15 @@ def _three_joints(held: LockedArm) -> Iterator[Structure]:
     for first in (1, 2):
         if coplanar(held, first):
             axes = f"axes {first} and {first + 1} meet or are parallel"
-            yield Structure("neighbouring axes", axes)
+            yield Structure("neighbouring axes", axes, held)
     tool, one = held.arm.tool.translation, held.arm.ring.constant(1)
     if has_no_offset(held, (tool, one)):
-        yield Structure("no offset", "the three joints have no offset")
+        yield Structure("no offset", "the three joints have no offset", held)
 
 
 def _slides(held: LockedArm) -> Iterator[Structure]:
     if held.arm.chain.kinds.count("prismatic") == 3:
-        yield Structure("three slides", "three joints slide and three turn")
+        yield Structure("three slides", "three joints slide and three turn", held)
 
 
 def _wrist(held: LockedArm, name: str) -> Iterator[Structure]:
@@ -106,7 +112,7 @@ def _wrist(held: LockedArm, name: str) -> Iterator[Structure]:
     for first in (2, 1):
         if coplanar(held, first):
             axes = f"axes {first} and {first + 1} meet or are parallel"
-            yield Structure(name, f"{point}, and {axes}", conditions)
+            yield Structure(name, f"{point}, and {axes}", held, conditions)
     above, below = center(held, 4)
     fourth = held.arm.joints[3]
     lever = fourth.before.turn(tuple(above * x for x in fourth.axis))
@@ -114,14 +120,14 @@ def _wrist(held: LockedArm, name: str) -> Iterator[Structure]:
     place = tuple(a + b for a, b in zip(lever, moved, strict=True))
     if has_no_offset(held, (place, below)):
         why = f"{point}, and joints 1, 2, 3, which move it, have no offset"
-        yield Structure(name, why, conditions)
+        yield Structure(name, why, held, conditions)
 
 
 def _ur_pattern(held: LockedArm) -> Iterator[Structure]:
     level = parallel(held, 2) and parallel(held, 3)
     if level and all(square(held, k) and coplanar(held, k) for k in (1, 4, 5)):
         why = "axes 2, 3, 4 are parallel, axes 1-2, 4-5, 5-6 meet at right angles"
-        yield Structure("UR pattern", why, (apart(held, 2), apart(held, 3)))
+        yield Structure("UR pattern", why, held, (apart(held, 2), apart(held, 3)))
 
 
 def _triple_and_pair(held: LockedArm) -> Iterator[Structure]:
@@ -131,8 +137,9 @@ def _triple_and_pair(held: LockedArm) -> Iterator[Structure]:
         pair = f"axes {other} and {other + 1} meet or are parallel"
         axes = f"axes {first}, {first + 1}, {first + 2}"
         if parallel(held, first) and parallel(held, first + 1):
-            yield Structure("triple and pair", f"{axes} are parallel, and {pair}")
+            why = f"{axes} are parallel, and {pair}"
+            yield Structure("triple and pair", why, held)
         elif concurrent(held, first):
             conditions = tuple(not_parallel(held, k) for k in (first, first + 1))
             why = f"{axes} meet in one point, and {pair}"
-            yield Structure("triple and pair", why, conditions)
+            yield Structure("triple and pair", why, held, conditions)

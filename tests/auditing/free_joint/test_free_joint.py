@@ -79,6 +79,24 @@ def test_a_lock_of_the_last_joint_moves_the_tool_alone() -> None:
     assert (stretch.kind, stretch.verdict) == ("idle", Verdict.NONCUSPIDAL)
 
 
+def test_an_idle_joint_keeps_the_limits_of_the_others() -> None:
+    """A cuspidal arm on a turntable is noncuspidal in a small box, cuspidal in none."""
+    given = read_robot(FOLDER.parent / "wenger-2007-8-cusps.yaml")
+    small = Fraction(1, 10), Fraction(1, 5)
+    first, *others = (replace(j, limits=small) for j in given.chain.joints)
+    before = (
+        Translation((Fraction(1), Fraction(0), Fraction(0))),
+        Rotation((Fraction(1), Fraction(0), Fraction(0)), Angle(Fraction(1, 2))),
+    )
+    joints = (Joint("table", "revolute"), replace(first, before=before), *others)
+    spare = replace(given, chain=replace(given.chain, joints=joints))
+    for within, verdict in ((False, Verdict.CUSPIDAL), (True, Verdict.NONCUSPIDAL)):
+        found = free_joint(spare, "table", Options(timeout=20), within)
+        assert [(each.kind, each.verdict) for each in found.stretches] == [
+            ("idle", verdict)
+        ]
+
+
 def test_shares_do_not_hang_on_frames() -> None:
     """Another base, tool and frames of the links leave every share as it is."""
     given = robot("barrett-wam")

@@ -14,7 +14,7 @@ from cuspaudit.kinematics.locked.regular_over import is_regular, is_singular_eve
 from cuspaudit.kinematics.locked.span import WHOLE_CIRCLE, Span
 from cuspaudit.kinematics.locked.structures import holds, structures
 from cuspaudit.kinematics.regular import determinant_at
-from cuspaudit.robot.chain import Angle, Chain
+from cuspaudit.robot.chain import Angle, Chain, Joint, Rotation, Translation
 from cuspaudit.robot.task import lock
 
 Read = Callable[[str], Chain]
@@ -94,6 +94,30 @@ def test_the_locked_arm_is_the_arm_locked(seven_joints: Read, number: int) -> No
         shift = held.arm.zeros - own.zeros
         if np.abs(np.sin(shift / 2)).max() < 1e-12:
             assert abs(float(one) - float(other)) < 1e-12
+
+
+@pytest.mark.parametrize("number", [2, 3])
+def test_a_shoulder_is_asked_about_its_own_lock(number: int) -> None:
+    """Four axes through one point, one locked: a shoulder where no two are parallel."""
+    one, x, z = Fraction(1), (1, 0, 0), (0, 0, 1)
+    square, third = (
+        Rotation((Fraction(a), Fraction(b), Fraction(c)), Angle(Fraction(1, part)))
+        for (a, b, c), part in ((x, 2), (z, 3))
+    )
+    along, up = (Translation((one * a, one * b, one * c)) for a, b, c in (x, z))
+    before = ((), (square,), (third, square), (square,))
+    before += ((along, square), (up, square), (along, square))
+    joints = tuple(
+        Joint(name, "revolute", motions)
+        for name, motions in zip("abcdefg", before, strict=True)
+    )
+    held = locked_arm(Chain("four through one point", joints, (up,)), number)
+    shoulders = [s for s in structures(held) if s.name == "spherical shoulder"]
+    assert shoulders
+    parallel = Angle(Fraction(-1, 3)) if number == 2 else Angle()
+    for structure in shoulders:
+        assert holds(held, structure, degrees(40, 42))
+        assert not holds(held, structure, Span(parallel, parallel))
 
 
 def test_spans_cover_and_halve_exactly() -> None:
