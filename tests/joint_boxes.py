@@ -7,23 +7,27 @@ from collections.abc import Sequence
 from fractions import Fraction
 from itertools import pairwise
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 import pytest
 from flint import fmpq
 from short_tables import Number, arm
 
-from cuspaudit.cuspidality.box_decision import BoxDecision, decide_box
+from cuspaudit.cuspidality.box_decision import (
+    BoxDecision,
+    decide_box,
+    decide_box_of_slide,
+)
 from cuspaudit.cuspidality.box_values import ValuesDecision, decide_box_by_values
 from cuspaudit.cuspidality.surface_path import SurfacePath
 from cuspaudit.kinematics.exact_model import exact_model
 from cuspaudit.kinematics.polynomial_map import reduced_map
-from cuspaudit.kinematics.tip_circles import tip_circles
+from cuspaudit.kinematics.tip_circles import tip_across, tip_circles
 from cuspaudit.robot.chain import Chain
 from cuspaudit.robot.frames import frames, jacobian
 from cuspaudit.surface.box_edges import Limit, Range
-from cuspaudit.surface.first_joint import FirstJoint
+from cuspaudit.surface.first_joint import FirstJoint, FirstMotion
 
 Limits = Sequence[Sequence[Number] | None]
 
@@ -50,14 +54,14 @@ def first_joint(chain: Chain, ends: Sequence[Number] | None) -> FirstJoint | Non
     found = tip_circles(exact_model(chain))
     slides = chain.joints[0].kind == "prismatic"
     return FirstJoint(
-        "line" if slides else "circle",
-        found.axis,
-        found.second,
-        found.origin,
-        found.height,
-        found.square,
-        found.across,
-        limit(Fraction(ends[1]) - Fraction(ends[0]), slides),
+        kind="line" if slides else "circle",
+        axis=found.axis,
+        second=found.second,
+        origin=found.origin,
+        height=found.height,
+        square=found.square,
+        across=found.across,
+        width=limit(Fraction(ends[1]) - Fraction(ends[0]), slides),
     )
 
 
@@ -80,6 +84,21 @@ def within_by_values(chain: Chain, limits: Limits) -> ValuesDecision:
         for ends, slides in zip(limits[1:], kinds[1:], strict=True)
     )
     return decide_box_by_values(*reduced_map(exact_model(chain)), (second, third))
+
+
+def of_slide(chain: Chain, limits: Limits) -> BoxDecision:
+    """The decision by pairs of an arm whose second joint slides."""
+    model, kinds = exact_model(chain), [kind == "prismatic" for kind in chain.kinds]
+    second, third = (
+        joint_range(ends, slides)
+        for ends, slides in zip(limits[1:], kinds[1:], strict=True)
+    )
+    first = None
+    if limits[0] is not None:
+        width = limit(Fraction(limits[0][1]) - Fraction(limits[0][0]), kinds[0])
+        kind: Literal["circle", "line"] = "line" if kinds[0] else "circle"
+        first = FirstMotion(kind=kind, across=tip_across(model), width=width)
+    return decide_box_of_slide(*reduced_map(model), (second, third), first)
 
 
 def arm_of(name: str) -> Chain:

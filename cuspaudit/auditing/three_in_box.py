@@ -94,14 +94,14 @@ def _first_joint(model: ExactModel, limits: Range | None) -> FirstJoint | None:
         return None
     circles = tip_circles(model)
     return FirstJoint(
-        "circle" if model.joints[0].kind == "revolute" else "line",
-        circles.axis,
-        circles.second,
-        circles.origin,
-        circles.height,
-        circles.square,
-        circles.across,
-        width_of(limits),
+        kind="circle" if model.joints[0].kind == "revolute" else "line",
+        axis=circles.axis,
+        second=circles.second,
+        origin=circles.origin,
+        height=circles.height,
+        square=circles.square,
+        across=circles.across,
+        width=width_of(limits),
     )
 
 

@@ -41,6 +41,7 @@ from cuspaudit.cuspidality.surface_decision import oriented
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import PrecisionError
 from cuspaudit.surface.box_aspects import (
+    Box,
     BoxAspects,
     Place,
     Ranges,
@@ -51,12 +52,26 @@ from cuspaudit.surface.box_aspects import (
 from cuspaudit.surface.box_stability import count_between
 from cuspaudit.surface.box_walls import box_walls
 from cuspaudit.surface.fiber_pieces import AtRational, steady_angle
-from cuspaudit.surface.first_joint import Bound, FirstJoint, bounds_of, first_walls
+from cuspaudit.surface.first_joint import (
+    Bound,
+    FirstJoint,
+    FirstMotion,
+    bounds_of,
+    first_walls,
+)
 from cuspaudit.surface.pair_sheets import PairSheets, pair_sheets
-from cuspaudit.surface.surface import Surface
+from cuspaudit.surface.slide_sheets import SlideSheets, slide_sheets
+from cuspaudit.surface.surface import Surface, product_factors
 from cuspaudit.surface.value_circles import value_circles
 
-__all__ = ["BoxCouple", "BoxDecision", "Winding", "decide_box"]
+__all__ = [
+    "BoxCouple",
+    "BoxDecision",
+    "Winding",
+    "angle_at",
+    "decide_box",
+    "decide_box_of_slide",
+]
 
 
 @dataclass(frozen=True)
@@ -130,17 +145,63 @@ def decide_box(
     Raises:
         DegenerateMapError: Delta vanishes identically on V.
         UnableError: outside what this route handles, as for a chain whose second joint
-            slides.
+            slides (`decide_box_of_slide`).
         RetryableError: the place of an end, or a chart, could not be told.
     """
-    progress("limits: aspects")
     surface, delta = oriented(variety, mapping)
+
+    def sheets(charted: Surface) -> PairSheets | None:
+        circles = value_circles(charted, mapping)
+        return None if circles.is_triangular else pair_sheets(circles)
+
+    return _decided(surface, delta, sheets, ranges, first, progress)
+
+
+def decide_box_of_slide(
+    variety: PolynomialSystem,
+    mapping: PolynomialMap,
+    ranges: Ranges,
+    first: FirstMotion | None = None,
+    progress: Callable[[str], None] = lambda step: None,
+) -> BoxDecision:
+    """The same where joint 2 slides, by the pairs of ``surface.slide_sheets``.
+
+    Args:
+        variety: V = {f = 0}, a product of a line and a circle or of two lines, the
+            line of joint 2 first.
+        mapping: R = (r_1, r_2).
+        ranges: of the two factors of V; None for no limits.
+        first: what joint 1 does; None where it has no limits.
+        progress: called with the name of each step before it runs.
+
+    Raises:
+        DegenerateMapError: Delta vanishes identically on V.
+        UnableError: R or Delta is outside what this route handles.
+        RetryableError: the place of an end, or a chart, could not be told.
+    """
+    surface, delta = oriented(variety, mapping)
+    surface = Surface(variety.ring, *product_factors(variety))
+    return _decided(
+        surface, delta, lambda s: slide_sheets(s, mapping), ranges, first, progress
+    )
+
+
+def _decided(
+    surface: Surface,
+    delta: Polynomial,
+    sheets: Callable[[Surface], PairSheets | SlideSheets | None],
+    ranges: Ranges,
+    first: FirstMotion | None,
+    progress: Callable[[str], None],
+) -> BoxDecision:
+    """The decision; ``sheets`` gives the pairs in a chart, None for no couple."""
+    progress("limits: aspects")
     surface, outer, inner = charted_box(surface, delta, of_factors(surface, ranges))
     wide = box_aspects(surface, delta, outer)
     narrow = None if inner is None else box_aspects(surface, delta, inner)
     aspects = count_between(wide, narrow)
     progress("limits: pairs")
-    circles = value_circles(surface, mapping)
+    pairs_of = sheets(surface)
 
     def decision(verdict: Verdict, found: BoxAspects, asked: _Asked) -> BoxDecision:
         couples = asked.couples if verdict is Verdict.CUSPIDAL else []
@@ -148,9 +209,9 @@ def decide_box(
             verdict, surface, delta, found, aspects, asked.pairs, couples
         )
 
-    if circles.is_triangular:
+    if pairs_of is None:
         return decision(Verdict.NONCUSPIDAL, wide, _Asked(0, []))
-    question = _Question(surface, delta, pair_sheets(circles), first)
+    question = _Question(surface, delta, pairs_of, first)
     most, least = bounds_of(first)
     asked = question.ask(wide, most)
     if not asked.couples:
@@ -177,15 +238,12 @@ class _Question:
 
     surface: Surface
     delta: Polynomial
-    sheets: PairSheets
-    first: FirstJoint | None
+    sheets: PairSheets | SlideSheets
+    first: FirstMotion | None
 
     def ask(self, aspects: BoxAspects, bound: Bound | None) -> _Asked:
         """A pair of every sheet over every cell of a box, and the couples among."""
-        circles, pieces = self.sheets.circles, aspects.pieces
-        walls = [*self.sheets.walls, *box_walls(circles, aspects.box)]
-        if bound is not None and self.first is not None:
-            walls += first_walls(self.first, bound, self.surface, circles.ring)
+        pieces, walls = aspects.pieces, list(self._walls(aspects.box, bound))
         lines = [pieces.change, pieces.parts[-1], *pieces.at_limits]
         avoided = [line for line in lines if not line.is_zero]
 
@@ -194,6 +252,21 @@ class _Question:
 
         pairs = list(pairs_off(self.sheets, walls, avoided, inside))
         return _Asked(len(pairs), list(self.couples(pairs, aspects, bound)))
+
+    def _walls(self, box: Box, bound: Bound | None) -> Iterator[Polynomial]:
+        """Between them lie the cells: of the sheets, of the box, of joint 1."""
+        sheets, first = self.sheets, self.first
+        if isinstance(sheets, SlideSheets):
+            yield from sheets.walls(self.delta)
+            yield from sheets.box_walls(box)
+            if bound is not None and first is not None:
+                yield from sheets.first_walls(bound, first.across)
+            return
+        yield from sheets.walls
+        yield from box_walls(sheets.circles, box)
+        if bound is not None and first is not None:
+            assert isinstance(first, FirstJoint), "joint 2 turns"
+            yield from first_walls(first, bound, self.surface, sheets.ring)
 
     def couples(
         self,
@@ -220,7 +293,7 @@ class _Question:
                 yield BoxCouple(pair, together, signs[0])
 
     def _windings(self, end: PairEnd, aspects: BoxAspects, sign: int) -> list[Winding]:
-        angle = steady_angle(end.fiber_point)
+        angle = angle_at(end)
         places = aspects.places(AtRational(end.base[0]), angle, sign)
         return [Winding(place, turns) for place, turns in places]
 
@@ -228,9 +301,9 @@ class _Question:
         x = end.base[0]
 
         def value(bits: int) -> arb:
-            c, s = end.fiber_point(bits)
-            p, q, constant = (part(x) for part in aspects.pieces.parts)
-            return p * c + q * s + constant
+            *slopes, constant = (part(x) for part in aspects.pieces.parts)
+            point = end.fiber_point(bits)
+            return sum((p * c for p, c in zip(slopes, point, strict=True)), constant)
 
         return _sign_of(value, "sign of Delta at an end of a pair")
 
@@ -250,6 +323,18 @@ class _Question:
             return bound.allows(at(pair[0], bits), at(pair[1], bits))
 
         return _sign_of(value, "motion of joint 1 between the ends of a pair") > 0
+
+
+def angle_at(end: PairEnd) -> Callable[[int], arb]:
+    """Balls of the angle of an end on the fiber, or of its coordinate on a line."""
+    if isinstance(end.sheets, SlideSheets):
+        return lambda bits: end.fiber_point(bits)[0]
+
+    def point(bits: int) -> tuple[arb, arb]:
+        c, s = end.fiber_point(bits)
+        return c, s
+
+    return steady_angle(point)
 
 
 def _sign_of(value: Callable[[int], arb], what: str) -> int:

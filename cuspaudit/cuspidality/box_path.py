@@ -25,6 +25,7 @@ from numpy.typing import NDArray
 
 from cuspaudit.algebra.angles import beside
 from cuspaudit.algebra.rationals import exact_rational
+from cuspaudit.cuspidality.box_decision import angle_at
 from cuspaudit.cuspidality.pair_decision import PairEnd
 from cuspaudit.cuspidality.surface_path import (
     SignedDelta,
@@ -35,7 +36,7 @@ from cuspaudit.cuspidality.surface_path import (
 )
 from cuspaudit.surface.box_aspects import BoxAspects, Gate, Place, gates
 from cuspaudit.surface.box_edges import start_of
-from cuspaudit.surface.fiber_pieces import AtRational, AtRoot, steady_angle
+from cuspaudit.surface.fiber_pieces import AtRational, AtRoot
 from cuspaudit.surface.sample_points import Posture
 from cuspaudit.surface.surface import Factor, Surface
 
@@ -124,7 +125,7 @@ class _End:
 def _on_fiber(fiber: Factor, posture: PairEnd | Posture) -> float:
     """The angle (or coordinate) that the windings of a posture count from."""
     if isinstance(posture, PairEnd):
-        return float(steady_angle(posture.fiber_point)(_BITS).mid())
+        return float(angle_at(posture)(_BITS).mid())
     return _angle(fiber, posture.chart(_BITS)[0])
 
 

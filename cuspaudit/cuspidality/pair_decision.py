@@ -56,6 +56,7 @@ from cuspaudit.geometry.sample_points_rational import sample_points_rational
 from cuspaudit.surface.graph_isotop import RoadmapGraph, Vertex, graph_isotop
 from cuspaudit.surface.pair_sheets import PairSheets, pair_sheets
 from cuspaudit.surface.roadmap import SurfaceRoadmap, roadmap
+from cuspaudit.surface.slide_sheets import SlideSheets
 from cuspaudit.surface.surface import Surface
 from cuspaudit.surface.value_circles import value_circles
 
@@ -72,18 +73,20 @@ class PairEnd:
         sheet: 1 or -1.
     """
 
-    sheets: PairSheets
+    sheets: PairSheets | SlideSheets
     base: tuple[fmpq, fmpq]
     sheet: int
 
-    def fiber_point(self, bits: int) -> tuple[arb, arb]:
-        """Balls of the coordinates (c, s) on the fiber."""
+    def fiber_point(self, bits: int) -> tuple[arb, ...]:
+        """Balls of the coordinates (c, s), or (q,), on the fiber."""
         return self.sheets.fiber_point(*self.base, self.sheet, bits)
 
     def chart(self, bits: int) -> tuple[arb, arb]:
         """Balls of the chart coordinates (y, x), y infinite near (c, s) = (-1, 0)."""
-        c, s = self.fiber_point(bits)
-        x = arb(self.base[0])
+        x, point = arb(self.base[0]), self.fiber_point(bits)
+        if len(point) == 1:
+            return point[0], x
+        c, s = point
         for above, below in ((s, 1 + c), (1 - c, s)):
             if not below.contains(0):
                 return above / below, x
@@ -185,7 +188,7 @@ def decide_pairs(
 
 
 def pairs_off(
-    sheets: PairSheets,
+    sheets: PairSheets | SlideSheets,
     walls: Sequence[Polynomial],
     avoided: Sequence[Univariate],
     wanted: Callable[[fmpq], bool] = lambda x: True,
@@ -201,7 +204,7 @@ def pairs_off(
     """
     if sheets.are_empty:
         return
-    ring = sheets.circles.ring
+    ring = sheets.ring
 
     def accept(point: tuple[fmpq, ...]) -> bool:
         return all(line.sign(x) != 0 for line in avoided for x in point)

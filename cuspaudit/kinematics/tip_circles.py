@@ -19,7 +19,7 @@ from cuspaudit.kinematics.polynomial_map import (
 )
 from cuspaudit.kinematics.transform import Column, dot
 
-__all__ = ["TipCircles", "tip_circles"]
+__all__ = ["TipCircles", "tip_across", "tip_circles"]
 
 Vector = tuple[Polynomial, Polynomial, Polynomial]
 
@@ -50,16 +50,11 @@ def tip_circles(model: ExactModel) -> TipCircles:
     """The circles of a three-joint position task whose second joint turns."""
     first, second, third = model.joints
     full, ring = model.ring, reduced_ring(model)
-    frame, point = tip_from_first_axis(model)
+    frame, _ = tip_from_first_axis(model)
     own = third.before.apply(model.motion(third).apply(model.tool.apply(_zero(full))))
-    lines = [first.axis]
-    if first.kind == "revolute":
-        lines = list(across_axis(full, first.axis))
 
     def on_circles(p: Polynomial) -> Polynomial:
-        return ring.from_other(
-            reduce_circles(full, (second, third), full.reduce(p)), full
-        )
+        return _on_circles(model, p)
 
     def constant(column: Column) -> Vector:
         a, b, c = (ring.from_other(full.reduce(p), full) for p in column)
@@ -71,7 +66,25 @@ def tip_circles(model: ExactModel) -> TipCircles:
         constant(frame.translation),
         on_circles(dot(full, second.axis, own)),
         on_circles(dot(full, own, own)),
-        tuple(on_circles(dot(full, line, point)) for line in lines),
+        tip_across(model),
+    )
+
+
+def tip_across(model: ExactModel) -> tuple[Polynomial, ...]:
+    """`TipCircles.across`; joint 2 may slide."""
+    full, first = model.ring, model.joints[0]
+    _, point = tip_from_first_axis(model)
+    lines = [first.axis]
+    if first.kind == "revolute":
+        lines = list(across_axis(full, first.axis))
+    return tuple(_on_circles(model, dot(full, line, point)) for line in lines)
+
+
+def _on_circles(model: ExactModel, p: Polynomial) -> Polynomial:
+    """A function of joints 2 and 3 in the ring of the reduced map."""
+    full, (_, *rest) = model.ring, model.joints
+    return reduced_ring(model).from_other(
+        reduce_circles(full, tuple(rest), full.reduce(p)), full
     )
 
 

@@ -39,36 +39,45 @@ from cuspaudit.errors import UnableError
 from cuspaudit.surface.box_edges import Limit, edge_of
 from cuspaudit.surface.surface import Factor, Surface
 
-__all__ = ["Bound", "FirstJoint", "bounds_of", "first_walls"]
+__all__ = ["Bound", "FirstJoint", "FirstMotion", "bounds_of", "first_walls"]
 
 Vector = tuple[Polynomial, Polynomial, Polynomial]
 _HAIR = fmpq(1, 2**30)
 
 
-@dataclass(frozen=True, eq=False)
-class FirstJoint:
-    """Joint 1 and the circles that joint 2 moves the tip on.
+@dataclass(frozen=True, eq=False, kw_only=True)
+class FirstMotion:
+    """How far joint 1 may go, and what tells how far it has to.
 
     Attributes:
         kind: "circle" if it turns, "line" if it slides.
-        axis: z, a unit vector; constants in the ring of V.
-        second: n, a unit vector.
-        origin: o, from the point of axis 1.
-        height: h, in the variables of joint 3.
-        square: g, likewise.
         across: polynomials on V: two coordinates of P across z, in units of one length;
             for a slide <z, P> alone.
         width: the length of its range, as a limit; None without limits.
     """
 
     kind: Literal["circle", "line"]
+    across: tuple[Polynomial, ...]
+    width: Limit | None
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class FirstJoint(FirstMotion):
+    """Joint 1 and the circles that joint 2 moves the tip on.
+
+    Attributes:
+        axis: z, a unit vector; constants in the ring of V.
+        second: n, a unit vector.
+        origin: o, from the point of axis 1.
+        height: h, in the variables of joint 3.
+        square: g, likewise.
+    """
+
     axis: Vector
     second: Vector
     origin: Vector
     height: Polynomial
     square: Polynomial
-    across: tuple[Polynomial, ...]
-    width: Limit | None
 
 
 @dataclass(frozen=True)
@@ -96,7 +105,7 @@ class Bound:
         return a * c + b * d - self.point[0] * (a * a + b * b)
 
 
-def bounds_of(first: FirstJoint | None) -> tuple[Bound | None, Bound | None]:
+def bounds_of(first: FirstMotion | None) -> tuple[Bound | None, Bound | None]:
     """Bounds a hair longer and a hair shorter than the range; None for no bound."""
     if first is None or first.width is None:
         return None, None

@@ -28,7 +28,7 @@ from dataclasses import dataclass
 from flint import arb, ctx, fmpq
 
 from cuspaudit.algebra.elimination import exact_quotient
-from cuspaudit.algebra.ring import Polynomial
+from cuspaudit.algebra.ring import Polynomial, Ring
 from cuspaudit.algebra.univariate import Univariate
 from cuspaudit.surface.value_circles import ValueCircles
 
@@ -58,6 +58,11 @@ class PairSheets:
     even: Polynomial
     odd: Polynomial
     norm: Polynomial
+
+    @property
+    def ring(self) -> Ring:
+        """K[x, w]."""
+        return self.circles.ring
 
     @property
     def are_empty(self) -> bool:

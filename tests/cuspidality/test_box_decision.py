@@ -2,18 +2,21 @@
 
 from __future__ import annotations
 
+import math
 import random
 from dataclasses import replace
 from fractions import Fraction
 
 import pytest
-from joint_boxes import Limits, arm_of, within, within_by_values
+from flint import arb
+from joint_boxes import Limits, arm_of, of_slide, within, within_by_values
 from short_tables import arm
 
 from cuspaudit.cuspidality.pair_decision import decide_pairs
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.kinematics.exact_model import exact_model
 from cuspaudit.kinematics.polynomial_map import reduced_map
+from cuspaudit.kinematics.tip_circles import tip_across
 
 ISSAC = arm((1, 2, "3/2"), (0, 1, 0), (-90, 90, 0))
 SKEW = arm((1, "7/5", "4/5"), ("1/10", "1/2", "1/5"), (60, 90, 0))
@@ -153,3 +156,36 @@ def test_triangular_arms_have_box_aspects() -> None:
     found = within(arm_of("offset_puma"), ((-170, 170),) * 3)
     assert found.verdict is Verdict.NONCUSPIDAL
     assert (found.aspects.count, found.aspects.proved) == (6, True)
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_a_second_joint_that_slides_has_pairs(seed: int) -> None:
+    """Pairs and sample values agree, verdict and aspects, where joint 2 slides."""
+    rng = random.Random(seed)
+    chain = arm(("1/2", "1/5", 2), ("1/10", 0, "1/5"), (60, 45, 30), "RPR")
+    slide = Fraction(rng.randint(-40, 0), 10)
+    low = rng.randint(-180, 0)
+    limits = (None, (slide, slide + 4), (low, low + rng.randint(90, 400)))
+    first, second = of_slide(chain, limits), within_by_values(chain, limits)
+    assert first.verdict is second.verdict is not Verdict.UNDECIDED
+    assert first.aspects == second.aspects
+
+
+def test_a_short_first_joint_before_a_slide_leaves_fewer_couples() -> None:
+    """Each couple asks of joint 1 less than its range, and a cusp keeps some."""
+    chain = arm(("1/2", "1/5", 2), ("1/10", 0, "1/5"), (60, 45, 30), "RPR")
+    across = tip_across(exact_model(chain))
+    for width in (20, 60):
+        found = of_slide(chain, ((0, width), (-4, 3), (-170, 170)))
+        assert found.verdict is Verdict.CUSPIDAL
+        most = math.cos(math.radians(width))
+        for couple in found.couples:
+            ends = []
+            for end in couple.postures:
+                values = {"q2": end.fiber_point(64)[0]}
+                values |= found.surface.base.coordinates(arb(end.base[0]))
+                ends.append(
+                    [float(found.surface.ring.evaluate(p, values)) for p in across]
+                )
+            (a, b), (c, d) = ends
+            assert a * c + b * d > most * (a * a + b * b)
