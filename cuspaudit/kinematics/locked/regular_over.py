@@ -11,6 +11,8 @@ evaluated over a whole span.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from flint import arb, ctx, fmpq
 
 from cuspaudit.kinematics.determinant import jacobian_determinant
@@ -24,6 +26,7 @@ __all__ = ["is_regular", "is_singular_everywhere"]
 _BITS = 128
 _DEGREE = 3
 _NODES = 2 * _DEGREE + 1
+_ORDER = 3
 
 
 def is_regular(held: LockedArm, span: Span) -> bool:
@@ -32,17 +35,52 @@ def is_regular(held: LockedArm, span: Span) -> bool:
     One posture is to show it for all values: a shorter span may do where this fails.
     """
     with ctx.workprec(_BITS):
-        angle = span.ball() + ball_of_angle(held.zero)
-        waves = [arb(1)]
-        for k in range(1, _DEGREE + 1):
-            sine, cosine = (angle * k).sin_cos()
-            waves += [cosine, sine]
+        middle = ball_of_angle(span.middle + held.zero)
+        step = span.ball() - ball_of_angle(span.middle)
+        at, over = _waves(middle), _waves(middle + step)
         return any(
-            not sum((a * w for a, w in zip(each, waves, strict=True)), arb(0)).contains(
-                0
-            )
-            for each in _series(held)
+            not _value(each, at, over, step).contains(0) for each in _series(held)
         )
+
+
+def _value(
+    series: Sequence[arb], at: Sequence[arb], over: Sequence[arb], step: arb
+) -> arb:
+    """The sum over a span, by Taylor's theorem with the last derivative enclosed.
+
+    Args:
+        series: coefficients as `_series` has them.
+        at: the waves in the middle of the span.
+        over: the waves on all of it.
+        step: what the span adds to its middle.
+    """
+    total, power = arb(0), arb(1)
+    for order in range(_ORDER):
+        total += _sum(series, at) * power
+        series, power = _slope(series), power * step / (order + 1)
+    return total + _sum(series, over) * power
+
+
+def _waves(angle: arb) -> list[arb]:
+    """1, cos t, sin t, cos 2t, ..."""
+    waves = [arb(1)]
+    for k in range(1, _DEGREE + 1):
+        sine, cosine = (angle * k).sin_cos()
+        waves += [cosine, sine]
+    return waves
+
+
+def _sum(series: Sequence[arb], waves: Sequence[arb]) -> arb:
+    return sum((a * w for a, w in zip(series, waves, strict=True)), arb(0))
+
+
+def _slope(series: Sequence[arb]) -> list[arb]:
+    """The coefficients of the derivative."""
+    result = [arb(0)]
+    for k in range(1, _DEGREE + 1):
+        cosine, sine = series[2 * k - 1 : 2 * k + 1]
+        result += [sine * k, cosine * -k]
+    return result
 
 
 @fact

@@ -1,5 +1,6 @@
 from __future__ import annotations
 
+import random
 from dataclasses import replace
 from fractions import Fraction
 from itertools import pairwise
@@ -8,9 +9,10 @@ from pathlib import Path
 import pytest
 
 import cuspaudit
+from cuspaudit.auditing.audit import audit
 from cuspaudit.auditing.deciders.decide import answer
 from cuspaudit.auditing.free_joint.free_joint import free_joint, lockable
-from cuspaudit.auditing.free_joint.stretch import Stretch, joined
+from cuspaudit.auditing.free_joint.stretch import FreeJoint, Stretch, joined
 from cuspaudit.auditing.options import Options
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import DegenerateMapError, InvalidRobotError
@@ -171,13 +173,64 @@ def test_alike_neighbours_are_joined() -> None:
     assert last.verdict is Verdict.UNDECIDED
 
 
+def limited(given: Robot, reach: Fraction) -> Robot:
+    """The robot with limits of so many half turns to each side, for every joint."""
+    pair = (Angle(-reach), Angle(reach))
+    joints = [replace(joint, limits=pair) for joint in given.chain.joints]
+    return replace(given, chain=given.chain.with_joints(joints))
+
+
+def test_within_limits_the_range_is_covered() -> None:
+    """Within limits the domain is the joint's range; noncuspidal stays noncuspidal."""
+    given = limited(robot("barrett-wam"), Fraction(1, 2))
+    found = free_joint(given, "joint_3", within=True)
+    assert found.domain.degrees == pytest.approx(180)
+    assert found.verdict is Verdict.NONCUSPIDAL
+
+
 @pytest.mark.slow
-@pytest.mark.parametrize(
-    ("name", "least"), [("franka-panda", 342), ("ufactory-xarm7", 342)]
-)
-def test_published_and_computed_cuspidal_arms(name: str, least: float) -> None:
-    """With joint 3 locked a Panda and the xArm7 of the public file are cuspidal."""
-    found = free_joint(robot(name), "joint_3")
+def test_an_idle_lock_is_cuspidal_within_limits_only_inside_them() -> None:
+    """Joint 1 of a Panda: cuspidal, and not proved so where joints turn by 1 deg."""
+    tight = limited(robot("franka-panda"), Fraction(1, 180))
+    [free] = free_joint(tight, "joint_1", Options(timeout=20)).stretches
+    [inside] = free_joint(tight, "joint_1", Options(timeout=20), within=True).stretches
+    assert free.verdict is Verdict.CUSPIDAL
+    assert inside.verdict is not Verdict.CUSPIDAL
+
+
+@pytest.mark.slow
+def test_a_panda_is_cuspidal_at_every_value_of_joint_3() -> None:
+    """The whole circle, as published; audits of single values agree."""
+    given = robot("franka-panda")
+    found = free_joint(given, "joint_3")
     assert found.verdict is Verdict.CUSPIDAL
-    assert found.degrees[Verdict.CUSPIDAL] >= least
+    assert found.degrees[Verdict.CUSPIDAL] >= 342
     assert covers(found.stretches)
+    agree(given, found, 4)
+
+
+@pytest.mark.slow
+def test_the_public_xarm7_is_cuspidal_and_without_its_wrist_offset_is_not() -> None:
+    """Axes 6 and 7 stand 76 mm apart; where they meet it is as published."""
+    given = robot("ufactory-xarm7")
+    found = free_joint(given, "joint_3")
+    assert found.verdict is Verdict.CUSPIDAL
+    assert found.degrees[Verdict.CUSPIDAL] >= 342
+    last = given.chain.joints[-1]
+    still = tuple(m for m in last.before if not isinstance(m, Translation))
+    joints = (*given.chain.joints[:-1], replace(last, before=still))
+    other = replace(given, chain=given.chain.with_joints(joints))
+    assert free_joint(other, "joint_3").verdict is Verdict.NONCUSPIDAL
+
+
+def agree(given: Robot, found: FreeJoint, count: int) -> None:
+    """Hold stretches to the ordinary audit of the arm locked at random values."""
+    rng = random.Random(1)
+    for _ in range(count):
+        value = Fraction(rng.randrange(-3100, 3100), 1000)
+        stretch = found.at(float(value))
+        assert stretch is not None
+        held = lock(given.chain, {found.joint: Angle(radians=value)})
+        audited = audit(replace(given, chain=held), Options(timeout=30))
+        if stretch.verdict is not Verdict.UNDECIDED:
+            assert audited.answer.verdict is stretch.verdict
