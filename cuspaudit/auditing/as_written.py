@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 from cuspaudit.auditing.answer import Answer
 from cuspaudit.auditing.case import HAIR_POSES, Case
-from cuspaudit.auditing.cusp_witness import CuspWitness, find_cusps, same_cusp
 from cuspaudit.auditing.deciders.decide import decide
 from cuspaudit.auditing.deciders.registry import HAIR
 from cuspaudit.auditing.search.lift import close
@@ -21,6 +21,9 @@ from cuspaudit.robot.fixed_motions import is_algebraic
 from cuspaudit.robot.snapping import Snapped, faithful
 from cuspaudit.robot.virtual_joint import with_virtual_joint
 from cuspaudit.runtime.clock import Clock
+
+if TYPE_CHECKING:
+    from cuspaudit.auditing.cusp_witness import CuspWitness
 
 __all__ = ["AsWritten", "as_written"]
 
@@ -100,7 +103,11 @@ def as_written(
 
 def _same_cusp(literal: Chain, found: Answer) -> AsWritten | None:
     """CUSPIDAL by the cusp of the snapped chain, where the literal one has it too."""
-    cusp = None if found.cusp is None else same_cusp(found.cusp, literal)
+    if found.cusp is None:
+        return None
+    from cuspaudit.auditing.cusp_witness import same_cusp
+
+    cusp = same_cusp(found.cusp, literal)
     return None if cusp is None else AsWritten(Verdict.CUSPIDAL, cusp=cusp)
 
 
@@ -108,6 +115,8 @@ def _by_cusp(literal: Chain, seed: int) -> AsWritten | None:
     """CUSPIDAL by a cusp that a search meets, inside limits or not."""
     if literal.task not in ("position", "pose"):
         return None
+    from cuspaudit.auditing.cusp_witness import find_cusps
+
     try:
         cusp = next(find_cusps(literal, seed, inside=False), None)
     except UnableError:

@@ -175,6 +175,11 @@ def audit(
 
 def _is_left_to_choose(opened: Robot, *files: Path | None) -> bool:
     """Whether a joint is to spare and nothing is asked that needs one verdict."""
+    from cuspaudit.robot.task import DIMENSIONS
+
+    chain = opened.chain
+    if any(files) or len(chain.joints) <= DIMENSIONS[chain.task]:
+        return False
     from cuspaudit.auditing.free_joint.free_joint import lockable
 
-    return not any(files) and bool(lockable(opened))
+    return bool(lockable(opened))

@@ -7,7 +7,6 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
-from cuspaudit.algebra.msolve import msolve_text
 from cuspaudit.algebra.ring import Polynomial, Ring
 from cuspaudit.errors import UnableError
 from cuspaudit.kinematics.determinant import determinant_factors, jacobian_determinant
@@ -93,6 +92,8 @@ def msolve_system(model: ExactModel, seed: int = 0) -> str:
             "infinitely many postures",
         )
     system = inverse_kinematics(model, seed)
+    from cuspaudit.algebra.msolve import msolve_text  # few ask for this form
+
     return msolve_text(system.ring, system.equations)
 
 

@@ -88,7 +88,7 @@ def test_a_limit_is_undecided_and_named(monkeypatch: pytest.MonkeyPatch) -> None
     def unable(*_: object) -> None:
         raise UnableError("pair tiles", "open")
 
-    monkeypatch.setattr("cuspaudit.auditing.deciders.by_tiles.decide_by_tiles", unable)
+    monkeypatch.setattr("cuspaudit.cuspidality.tile_decision.decide_by_tiles", unable)
     steps: list[str] = []
 
     def stop(step: str) -> None:

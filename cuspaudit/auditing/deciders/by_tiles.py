@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from cuspaudit.auditing.answer import Answer, Reason
 from cuspaudit.auditing.case import Case
 from cuspaudit.count import Count
-from cuspaudit.cuspidality.tile_decision import TileDecision, decide_by_tiles
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import RetryableError, UnableError
 from cuspaudit.kinematics.exact_model import ExactModel
 from cuspaudit.kinematics.polynomial_map import reduced_map
 from cuspaudit.runtime.clock import Clock, time_at_least
+
+if TYPE_CHECKING:
+    from cuspaudit.cuspidality.tile_decision import TileDecision
 
 __all__ = ["by_tiles"]
 
@@ -34,6 +38,8 @@ def by_tiles(case: Case, clock: Clock) -> Answer | None:
         return None
     if case.engine != "auto" or not _is_asked(case):
         return None
+    from cuspaudit.cuspidality.tile_decision import decide_by_tiles
+
     try:
         with time_at_least(_SECONDS):
             found = _tiled(model, decide_by_tiles(*reduced_map(model)))
