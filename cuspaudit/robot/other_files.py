@@ -11,7 +11,7 @@ __all__ = ["check_kind", "kind_of"]
 _SCHEMAS = {
     "cuspaudit/audit/": ("an audit", "cuspaudit show"),
     "cuspaudit/certificate/": ("a certificate", "cuspaudit verify"),
-    "cuspaudit/record/": ("the record of a run", "read it: there is no command for"),
+    "cuspaudit/record/": ("the record of a run", ""),
 }
 _KEYS = (
     ({"variables", "map"}, "a polynomial system", "cuspaudit decide"),
@@ -24,6 +24,8 @@ _KEYS = (
 
 def kind_of(entries: Mapping[str, object]) -> tuple[str, str] | None:
     """What a mapping read from a file is, and the command for it; None for another's.
+
+    The command is "" where none reads it.
 
     >>> kind_of({"variables": ["x"], "map": ["x^2"]})
     ('a polynomial system', 'cuspaudit decide')
@@ -52,6 +54,5 @@ def check_kind(entries: Mapping[str, object], wanted: str, place: Place) -> None
     found = kind_of(entries)
     if found is not None and found[0] != wanted:
         name, command = found
-        raise place.error(
-            f"this is {name}, not {wanted}", f"type: {command} {place.file}"
-        )
+        expected = f"type: {command} {place.file}" if command else f"give {wanted}"
+        raise place.error(f"this is {name}, not {wanted}", expected)

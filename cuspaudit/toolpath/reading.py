@@ -91,7 +91,7 @@ def checked_path(poses: Sequence[Pose], arm: TracedArm, file: str) -> ToolPath:
         if needed and pose.quaternion is None:
             raise place.at(f"row {pose.row}").error(
                 f"no orientation, which the task {arm.robot_chain.task} needs",
-                "give the columns qw,qx,qy,qz, or --task position for three joints",
+                "give the columns qw,qx,qy,qz (JSON: quaternion)",
             )
     if not needed:
         poses = [Pose(pose.position, None, pose.row) for pose in poses]

@@ -78,7 +78,7 @@ def keywords(options: str) -> dict[str, Any]:
 
 @pytest.mark.parametrize(
     ("name", "tip", "joints"),
-    [("ur3_robot", None, 6), ("panda", "panda_hand", 7), ("z1", None, 7)],
+    [("ur3_robot", None, 6), ("panda", "panda_hand", 7), ("z1", "gripperStator", 6)],
 )
 def test_serial_arms_of_the_examples(name: str, tip: str | None, joints: int) -> None:
     """The arms of example-robot-data open by name; a hand makes the tip a choice."""

@@ -130,10 +130,10 @@ def choose_chain(
     branches = tree.branches(base)
     if not branches:
         return build(base, _deepest(tree, base, tree.body(base)))
-    if len(branches) == 1:
+    count = len(_ends(tree, base))
+    if len(branches) == count == 1:
         return _one_tip(tree, build, base, branches[0].tips)
     shown = candidates(tree, build, base, _MOST_SHOWN)
-    count = len(_ends(tree, base))
     if len(shown) == 1:
         return build(shown[0].base, shown[0].tip)
     texts = [f"{one.options} ({one.remark})" for one in shown]
@@ -155,15 +155,35 @@ def chains_beside(tree: Tree[E], build: Build, chain: Chain) -> tuple[Chain, ...
 
 
 def _ends(tree: Tree[E], base: str) -> list[tuple[Branch[E], str]]:
-    """The branches that end somewhere, each with the link its chain begins at."""
+    """The branches that end somewhere, each with the link its chain begins at.
+
+    A branch may end in a bare link that is called a jaw, by its name or its joint's:
+    then the arm may end before it as well.
+    """
     found = []
-    for branch in tree.branches(base):
+    every = [
+        one for branch in tree.branches(base) for one in _without_jaw(tree, branch)
+    ]
+    for branch in every:
         if not branch.goes_on:
             path = tree.path(base, branch.tips[0]) or ()
             moving = [joint for joint in path if joint.kind != "fixed"]
             start = base if len(moving) <= _MOST_JOINTS else branch.base
             found.append((branch, start))
     return found
+
+
+def _without_jaw(tree: Tree[E], branch: Branch[E]) -> list[Branch[E]]:
+    """The branch; of one that ends in what is called a jaw also that up to the jaw."""
+    last = branch.joints[-1]
+    named = _GRIPS.search(f"{last.name} {last.child}")
+    is_bare = branch.tips == (last.child,) and not tree.below.get(last.child)
+    if branch.goes_on or not named or not is_bare:
+        return [branch]
+    if branch.is_jaw or len(branch.joints) == 1:
+        return [branch]
+    arm = replace(branch, tips=(last.parent,), joints=branch.joints[:-1])
+    return [arm, replace(branch, is_jaw=True)]
 
 
 def _unlikelihood(tree: Tree[E], branch: Branch[E], start: str) -> tuple[bool, int]:
@@ -217,12 +237,6 @@ def _one_tip(
     """
     tip = _deepest(tree, base, tips)
     chain, remarks = build(base, tip)
-    last = [joint for joint in tree.path(base, tip) or () if joint.kind != "fixed"][-1:]
-    if last and last[0].child == tip and _GRIPS.search(f"{last[0].name} {tip}"):
-        remarks.append(
-            f"joint {quoted(last[0].name)} moves {quoted(tip)} alone: if that is a "
-            f"jaw, the arm ends at --tip {shlex.quote(last[0].parent)}"
-        )
     if len(tips) > 1:
         placed = np.array([transform(build(base, other)[0].tool) for other in tips])
         seen = placed[:, :3, 3] if chain.task == "position" else placed

@@ -60,16 +60,22 @@ def test_a_tool_frame_beside_a_jaw_is_asked_for(write: Writer) -> None:
 
 
 def test_a_camera_on_the_forearm_is_no_end(write: Writer) -> None:
-    """A frame that carries less than the arm leaves one chain, its jaw named in a note.
-
-    Without a frame beside it the last joint may as well be one of the arm.
-    """
+    """A frame that carries less than the arm leaves one chain."""
     bare = (*ARM[:4], ("roll", "wrist", "flange", "revolute", "0.06 0 0", "1 0 0"))
     assert read_robot(write(*bare, CAMERA)).chain.tip == "flange"
-    robot = read_robot(write(*ARM, JAW, CAMERA))
-    assert len(robot.chain.joints) == 6
-    assert any("ends at --tip gripper" in note for note in robot.notes)
-    assert len(read_robot(robot.file, tip="gripper").chain.joints) == 5
+
+
+def test_an_only_end_that_is_called_a_jaw_is_asked_about(write: Writer) -> None:
+    """Without a frame beside it the joint may be one of the arm: both are named."""
+    path = write(*ARM, JAW, CAMERA)
+    with pytest.raises(InvalidRobotError) as asked:
+        read_robot(path)
+    assert "choose one: --tip gripper (5 joints, task" in str(asked.value)
+    assert '--tip moving_jaw (6 joints, task pose, "jaw" moves this' in str(asked.value)
+    for tip, count in (("gripper", 5), ("moving_jaw", 6)):
+        assert len(read_robot(path, tip=tip).chain.joints) == count
+    plain = ("turn", JAW[1], "flange", *JAW[3:])
+    assert read_robot(write(*ARM, plain, CAMERA)).chain.tip == "flange"
 
 
 def test_a_hand_ends_the_arm_and_its_fingers_come_last(write: Writer) -> None:

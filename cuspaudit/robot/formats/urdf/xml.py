@@ -22,6 +22,7 @@ _MOST_DEPTH = 100
 _BEGINNING = 65536
 _BOM = b"\xef\xbb\xbf"
 _PARTS = {"parent", "child", "origin", "axis", "limit", "mimic"}
+_EXPAND = "end its name in .xacro, or expand it first: xacro FILE > robot.urdf"
 _LEFT_BY_XACRO = {"property", "arg"}
 _ROOTS = {
     "html": ("a saved web page", "download the file itself"),
@@ -177,7 +178,7 @@ class _Reader:
             self._root(space, name, attributes)
         elif "xacro" in space and name not in _LEFT_BY_XACRO:
             found = f"the xacro element {quoted(name)}"
-            raise self._line().error(found, "expand it first: xacro FILE > robot.urdf")
+            raise self._line().error(found, _EXPAND)
         elif self.depth == 2 and space == self.namespace:
             self._child(name, attributes)
         elif self.depth == 3 and space == self.namespace:
@@ -222,6 +223,5 @@ class _Reader:
             raise here.error(f"two <{name}> elements", "leave one")
         for text in attributes.values():
             if "${" in text or "$(" in text:
-                expected = "expand it first: xacro FILE > robot.urdf"
-                raise here.error(f"the xacro expression {quoted(text)}", expected)
+                raise here.error(f"the xacro expression {quoted(text)}", _EXPAND)
         self.joint.parts[name] = attributes
