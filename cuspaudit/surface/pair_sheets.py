@@ -23,7 +23,7 @@ other end as well. On the other sheet h is a multiple of U.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from flint import arb, ctx, fmpq
 
@@ -33,6 +33,10 @@ from cuspaudit.algebra.univariate import Univariate
 from cuspaudit.surface.value_circles import ValueCircles
 
 __all__ = ["PairSheets", "pair_sheets"]
+
+Two = tuple[arb, arb]
+_Here = tuple[tuple[Two, Two], Two, Two, arb]
+_KEPT = 8
 
 
 @dataclass(frozen=True, eq=False)
@@ -49,6 +53,7 @@ class PairSheets:
         even: U.
         odd: V.
         norm: H.
+        kept: values over the points asked for last.
     """
 
     circles: ValueCircles
@@ -58,6 +63,7 @@ class PairSheets:
     even: Polynomial
     odd: Polynomial
     norm: Polynomial
+    kept: dict[tuple[fmpq, fmpq, int], _Here] = field(default_factory=dict, repr=False)
 
     @property
     def ring(self) -> Ring:
@@ -111,11 +117,27 @@ class PairSheets:
         """
         saved, ctx.prec = ctx.prec, bits
         try:
-            return self._fiber_point(x, w, sheet)
+            rows, along, across, scale = self._at(x, w, bits)
+            first, second = along[0] - sheet * across[0], along[1] - sheet * across[1]
+            return (
+                (rows[0][0] * first + rows[1][0] * second) / scale,
+                (rows[0][1] * first + rows[1][1] * second) / scale,
+            )
         finally:
             ctx.prec = saved
 
-    def _fiber_point(self, x: fmpq | arb, w: fmpq | arb, sheet: int) -> tuple[arb, arb]:
+    def _at(self, x: fmpq | arb, w: fmpq | arb, bits: int) -> _Here:
+        """What both sheets over (x, w) have in common; the last few are kept."""
+        key = (x, w, bits) if isinstance(x, fmpq) and isinstance(w, fmpq) else None
+        if key is None:
+            return self._measured(x, w)
+        if key not in self.kept:
+            while len(self.kept) >= _KEPT:
+                del self.kept[next(iter(self.kept))]
+            self.kept[key] = self._measured(x, w)
+        return self.kept[key]
+
+    def _measured(self, x: fmpq | arb, w: fmpq | arb) -> _Here:
         circles, ring = self.circles, self.circles.ring
         at = {"x": arb(x), "w": arb(w)}
         # the kernel substitutes rationals, and at most sqrt m is left for a ball
@@ -126,14 +148,15 @@ class PairSheets:
 
         mu = value(circles.metric)
         a, b = (value(p) for p in self.normal)
-        along, across = value(self.offset), sheet * (mu * value(self.meeting)).sqrt()
-        first, second = along * a - across * b, along * b + across * a / mu
+        along, across = value(self.offset), (mu * value(self.meeting)).sqrt()
         (k11, k12), (k21, k22) = (tuple(map(value, row)) for row in circles.rows)
         scale = 2 * value(circles.exchanged(circles.below)) * (a * a + mu * b * b)
         scale *= value(circles.square)
         return (
-            (k11 * first + mu * k21 * second) / scale,
-            (k12 * first + mu * k22 * second) / scale,
+            ((k11, k12), (mu * k21, mu * k22)),
+            (along * a, along * b),
+            (across * b, -across * a / mu),
+            scale,
         )
 
 
