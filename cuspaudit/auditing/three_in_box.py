@@ -120,7 +120,7 @@ def aspects_in_box(model: ExactModel) -> Count | None:
         surface, outer, inner = charted_box(surface, delta, ranges)
         wide = box_aspects(surface, delta, outer)
         narrow = None if inner is None else box_aspects(surface, delta, inner)
-        count = count_between(wide, narrow)
+        count = count_between(wide, narrow, ranges)
     except (UnableError, RetryableError):
         return None
     return Count(count.count, count.proved and model.is_exact)

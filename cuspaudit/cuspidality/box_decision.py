@@ -196,10 +196,11 @@ def _decided(
 ) -> BoxDecision:
     """The decision; ``sheets`` gives the pairs in a chart, None for no couple."""
     progress("limits: aspects")
-    surface, outer, inner = charted_box(surface, delta, of_factors(surface, ranges))
+    ranges = of_factors(surface, ranges)
+    surface, outer, inner = charted_box(surface, delta, ranges)
     wide = box_aspects(surface, delta, outer)
     narrow = None if inner is None else box_aspects(surface, delta, inner)
-    aspects = count_between(wide, narrow)
+    aspects = count_between(wide, narrow, ranges)
     progress("limits: pairs")
     pairs_of = sheets(surface)
 

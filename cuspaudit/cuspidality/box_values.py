@@ -108,10 +108,11 @@ def decide_box_by_values(
     """
     progress("limits: aspects")
     surface, delta = oriented(variety, mapping)
-    surface, outer, inner = charted_box(surface, delta, of_factors(surface, ranges))
+    ranges = of_factors(surface, ranges)
+    surface, outer, inner = charted_box(surface, delta, ranges)
     wide = box_aspects(surface, delta, outer)
     narrow = None if inner is None else box_aspects(surface, delta, inner)
-    aspects = count_between(wide, narrow)
+    aspects = count_between(wide, narrow, ranges)
     progress("limits: sample values")
     fibers = fiber_polynomials(surface, mapping)
     values = _Values(fibers, atypical_values(fibers), surface.chart(delta)[0])

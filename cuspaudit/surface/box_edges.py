@@ -22,7 +22,14 @@ from cuspaudit.algebra.rationals import exact_rational, simplest_between
 from cuspaudit.errors import RetryableError
 from cuspaudit.surface.surface import Factor
 
-__all__ = ["Edge", "Limit", "Range", "edge_of", "is_over_half_turn"]
+__all__ = [
+    "Edge",
+    "Limit",
+    "Range",
+    "edge_of",
+    "is_over_half_turn",
+    "quadratic_tangent",
+]
 
 ZERO = fmpq(0)
 _BITS = 256
@@ -160,6 +167,57 @@ def _tangent(factor: Factor, right_angles: int) -> fmpq:
     c, s = ((1, 0), (0, 1), (-1, 0), (0, -1))[right_angles % 4]
     cos, sin = factor.rotation
     return (s * cos - c * sin) / (1 + c * cos + s * sin)
+
+
+def quadratic_tangent(limit: Limit, factor: Factor) -> tuple[fmpq, fmpq, int] | None:
+    """The chart coordinate a + b sqrt(m) of a limit, as (a, b, m), b != 0.
+
+    None for other limits than multiples of pi/4 and pi/6 known exactly, and where the
+    coordinate is rational, or the chart misses it.
+    """
+    known = limit.offset == 0 and limit.radius == 0 and factor.kind == "circle"
+    values = _cosine_and_sine(limit.half_turns) if known else None
+    if values is None:
+        return None
+    (c0, c1), (s0, s1), m = values
+    cos, sin = factor.rotation
+    above = (s0 * cos - c0 * sin, s1 * cos - c1 * sin)
+    below = (1 + c0 * cos + s0 * sin, c1 * cos + s1 * sin)
+    norm = below[0] ** 2 - m * below[1] ** 2
+    if norm == 0:
+        return None
+    a = (above[0] * below[0] - m * above[1] * below[1]) / norm
+    b = (above[1] * below[0] - above[0] * below[1]) / norm
+    return None if b == 0 else (a, b, m)
+
+
+def _cosine_and_sine(
+    half_turns: fmpq,
+) -> tuple[tuple[fmpq, fmpq], tuple[fmpq, fmpq], int] | None:
+    """Cosine and sine of pi times a rational, each as (a, b) for a + b sqrt(m)."""
+    for m, parts in ((2, 4), (3, 6)):
+        steps = parts * half_turns
+        if steps.q == 1:
+            k = int(steps.p)
+            return _cosine(m, k), _cosine(m, k - parts // 2), m
+    return None
+
+
+def _cosine(m: int, k: int) -> tuple[fmpq, fmpq]:
+    """cos(k pi / 4) for m = 2, cos(k pi / 6) for m = 3."""
+    half, zero, one = fmpq(1, 2), fmpq(0), fmpq(1)
+    if m == 2:
+        table = [(one, zero), (zero, half), (zero, zero)]
+    else:
+        table = [(one, zero), (zero, half), (half, zero), (zero, zero)]
+    turn_ = 2 * (4 if m == 2 else 6)
+    k %= turn_
+    k = min(k, turn_ - k)
+    size = len(table) - 1
+    if k <= size:
+        return table[k]
+    a, b = table[2 * size - k]
+    return -a, -b
 
 
 def _next_to(ball: arb, up: bool) -> fmpq:

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import math
+
 import pytest
 from flint import arb, ctx, fmpq
 
 from cuspaudit.errors import RetryableError
-from cuspaudit.surface.box_edges import Limit, edge_of
+from cuspaudit.surface.box_edges import Limit, edge_of, quadratic_tangent
 from cuspaudit.surface.surface import ROTATIONS, Factor
 
 CIRCLES = [Factor("circle", ("c", "s"), rotation) for rotation in ROTATIONS]
@@ -56,3 +58,36 @@ def test_slides_are_exact() -> None:
     limit = Limit(fmpq(0), fmpq(7, 3))
     assert edge_of(limit, LINE, True) == edge_of(limit, LINE, False)
     assert edge_of(limit, LINE, True).t == fmpq(7, 3)
+
+
+@pytest.mark.parametrize("parts", [4, 6])
+@pytest.mark.parametrize("rotation", [ROTATIONS[0], ROTATIONS[2]])
+def test_multiples_of_45_and_30_degrees_are_quadratic(
+    parts: int, rotation: tuple[fmpq, fmpq]
+) -> None:
+    """The chart coordinate is that of the angle, or none where it is rational."""
+    factor = Factor("circle", ("c", "s"), rotation)
+    start = math.atan2(*(float(int(v.p) / int(v.q)) for v in rotation[::-1]))
+    seen = 0
+    for k in range(-2 * parts, 2 * parts):
+        found = quadratic_tangent(Limit(fmpq(k, parts), fmpq(0)), factor)
+        if found is None:
+            assert 2 * k % parts == 0
+            continue
+        a, b, m = found
+        value = int(a.p) / int(a.q) + int(b.p) / int(b.q) * math.sqrt(m)
+        assert value == pytest.approx(math.tan((math.pi * k / parts - start) / 2))
+        seen += 1
+    assert seen >= 2 * parts
+
+
+def test_other_limits_have_no_quadratic_coordinate() -> None:
+    """Neither one in rad, nor one known in a ball only, nor a slide."""
+    factor = Factor("circle", ("c", "s"))
+    for limit in (
+        Limit(fmpq(1, 5), fmpq(0)),
+        Limit(fmpq(1, 4), fmpq(1, 10)),
+        Limit(fmpq(1, 4), fmpq(0), fmpq(1, 10**9)),
+    ):
+        assert quadratic_tangent(limit, factor) is None
+    assert quadratic_tangent(Limit(fmpq(0), fmpq(1)), Factor("line", ("q",))) is None
