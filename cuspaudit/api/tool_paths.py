@@ -27,6 +27,7 @@ from cuspaudit.toolpath.reading import (
     closed_path,
     read_path,
     unit_quaternion,
+    within_reason,
 )
 from cuspaudit.toolpath.record import trace_record
 from cuspaudit.toolpath.run_certificate import run_certificate
@@ -305,7 +306,7 @@ def _pose(entry: Mapping[str, Any], number: int) -> Pose:
     position, quaternion = entry.get("position"), entry.get("quaternion")
     if position is None or len(position) != 3:
         raise place.error("no position of three numbers", "give position=[x, y, z]")
-    x, y, z = (_number(value, place) for value in position)
+    x, y, z = (within_reason(_number(value, place), place) for value in position)
     if quaternion is None:
         return Pose((x, y, z), None, number)
     if len(quaternion) != 4:

@@ -14,7 +14,7 @@ from cuspaudit.robot.numbers import parse_angle, parse_length
 from cuspaudit.robot.place import Place
 from cuspaudit.toolpath.ball_arm import angle_ball
 from cuspaudit.toolpath.joint_pose import JointValue, pose_of_joints, simplest_near
-from cuspaudit.toolpath.reading import unit_quaternion
+from cuspaudit.toolpath.reading import unit_quaternion, within_reason
 from cuspaudit.toolpath.traced_arm import TracedArm
 from cuspaudit.toolpath.waypoints import Pose, Quaternion
 
@@ -71,8 +71,15 @@ def asked_pose(
         chain = arm.robot_chain
         return pose_of_joints(arm, joint_vector(joints, chain, "--joints"))
     cells = _cells(position or "", 3, "--position")
-    x, y, z = (parse_length(cell, Place("--position")) for cell in cells)
+    here = Place("--position")
+    x, y, z = (within_reason(parse_length(cell, here), here) for cell in cells)
     turn: Quaternion | None = None
+    if arm.task == "position" and (quaternion is not None or rpy is not None):
+        option = "--rpy" if quaternion is None else "--quaternion"
+        raise place.error(
+            f"{option} for the task position, which asks for no orientation",
+            f"leave out {option}",
+        )
     if quaternion is not None and rpy is not None:
         raise place.error("--quaternion and --rpy", "give one of them")
     if quaternion is not None:

@@ -24,6 +24,7 @@ Array = NDArray[np.float64]
 
 _STARTS, _STEPS = 16, 60
 _CHECKED = 3
+_MISSED = 1e-6
 
 
 @dataclass(frozen=True)
@@ -55,9 +56,10 @@ def first_unreachable(trace: Trace) -> Unreachable | None:
             continue
         with ctx.workprec(BITS):
             solved = solve_pose(trace.arm, pose)
-            if not solved.postures:
+            if not (solved.postures or solved.whole_curves):
                 distance, turn = out_of_reach(trace.arm, pose)
-                return Unreachable(number, solved.complete, distance, turn)
+                if solved.complete or distance or (turn or 0.0) > _MISSED:
+                    return Unreachable(number, solved.complete, distance, turn)
         checked += 1
         if checked == _CHECKED:
             break

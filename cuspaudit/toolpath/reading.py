@@ -40,11 +40,13 @@ __all__ = [
     "parse_joint",
     "read_path",
     "unit_quaternion",
+    "within_reason",
 ]
 
 _POSITION = ("x", "y", "z")
 _POSE = (*_POSITION, "qw", "qx", "qy", "qz")
 _LARGEST = 200 * 2**20
+_FARTHEST = Fraction(10**10)
 _UNIT = Fraction(1, 10**6)
 _METRES = {"m": Fraction(1), "mm": Fraction(1, 1000)}
 _HEADERS = "x,y,z or x,y,z,qw,qx,qy,qz or the joints' names"
@@ -182,7 +184,9 @@ def _csv_rows(
     text: str, chain: Chain, place: Place, unit: AngleUnit | None
 ) -> list[Row]:
     try:
-        table = [row for row in csv.reader(text.splitlines(), strict=True) if any(row)]
+        lines = text.splitlines()
+        reader = csv.reader(lines, delimiter=_delimiter(lines), strict=True)
+        table = [row for row in reader if any(row)]
     except csv.Error as error:
         raise place.error(f"not CSV ({error})", f"begin with {_HEADERS}") from None
     table = [row for row in table if not row[0].lstrip().startswith("#")]
@@ -202,6 +206,12 @@ def _csv_rows(
         else:
             rows.append(_pose_row(ordered, chain, here))
     return rows
+
+
+def _delimiter(lines: Sequence[str]) -> str:
+    """What stands between cells: a comma, or what spreadsheets copy instead of it."""
+    head = next((line for line in lines if line.strip() and line[0] != "#"), "")
+    return next((mark for mark in (",", ";", "\t") if mark in head), ",")
 
 
 def _columns(names: list[str], chain: Chain, place: Place) -> list[int]:
@@ -244,12 +254,24 @@ def _joint_row(
 
 def _length(text: str, chain: Chain, place: Place) -> Fraction:
     """A length in the robot's unit; m and mm may stand behind the number."""
-    stripped = text.strip()
+    stripped, own = text.strip(), Fraction(1)
     for unit in ("mm", "m"):
         if stripped.endswith(unit):
+            stripped = stripped.removesuffix(unit)
             own = _METRES[unit] / _METRES[chain.unit]
-            return parse_length(stripped.removesuffix(unit), place) * own
-    return parse_length(stripped, place)
+            break
+    return within_reason(parse_length(stripped, place) * own, place)
+
+
+def within_reason(value: Fraction, place: Place) -> Fraction:
+    """A length that no tool path exceeds.
+
+    Raises:
+        InvalidInputError: it is above 1e10.
+    """
+    if abs(value) > _FARTHEST:
+        raise place.error("a length above 1e10", "write a smaller number")
+    return value
 
 
 def _json_rows(

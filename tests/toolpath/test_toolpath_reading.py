@@ -6,9 +6,12 @@ from pathlib import Path
 import pytest
 
 from cuspaudit.errors import InvalidInputError
+from cuspaudit.toolpath.asked import asked_pose
+from cuspaudit.toolpath.reach import first_unreachable
 from cuspaudit.toolpath.reading import closed_path, read_path
-from cuspaudit.toolpath.traced_arm import TracedArm
-from tests.toolpath.traced_arms import crx, mirror
+from cuspaudit.toolpath.trace import trace_path
+from cuspaudit.toolpath.traced_arm import TracedArm, traced_arm
+from tests.toolpath.traced_arms import crx, mirror, places, table_arm
 
 POSE = "x,y,z,qw,qx,qy,qz\n"
 
@@ -111,3 +114,44 @@ def test_a_missing_file_is_one_line(tmp_path: Path) -> None:
     raw.write_bytes(b"\xff\xfe\x00\x01")
     with pytest.raises(InvalidInputError, match="not a text file"):
         read_path(raw, mirror())
+
+
+@pytest.mark.parametrize("mark", [";", "\t"])
+def test_what_spreadsheets_copy_is_read(tmp_path: Path, mark: str) -> None:
+    """Semicolons and tabs between cells are as good as commas."""
+    file = tmp_path / "path.csv"
+    file.write_text(f"x{mark}y{mark}z\n2{mark}0{mark}0.5\n1.9{mark}0{mark}0.5\n")
+    path = read_path(file, mirror())
+    assert [float(x) for x in path.poses[1].position] == [1.9, 0, 0.5]
+
+
+def test_lengths_beyond_reason_are_refused(tmp_path: Path) -> None:
+    """1e300 overflows doubles: it is named with its row; 1e9 is only out of reach."""
+    file = tmp_path / "path.csv"
+    file.write_text("x,y,z\n2,0,0\n1e300,0,0\n")
+    with pytest.raises(InvalidInputError, match="row 2 x: a length above 1e10"):
+        read_path(file, mirror())
+    with pytest.raises(InvalidInputError, match="above 1e10"):
+        asked_pose(mirror(), None, "1e300,0,0", None, None)
+    file.write_text("x,y,z\n2,0,0\n1e9,0,0\n")
+    missed = first_unreachable(trace_path(mirror(), read_path(file, mirror())))
+    assert missed is not None and missed.distance == pytest.approx(1e9)
+
+
+def test_an_orientation_that_no_task_asks_for_is_refused() -> None:
+    """It would be passed over in silence."""
+    for option, given in (
+        ("--rpy", (None, "0,0,0")),
+        ("--quaternion", ("1,0,0,0", None)),
+    ):
+        with pytest.raises(InvalidInputError, match=f"leave out {option}"):
+            asked_pose(mirror(), None, "2,0,0", *given)
+
+
+def test_a_waypoint_of_whole_curves_is_not_out_of_reach() -> None:
+    """On the first axis of an elbow joint 1 is free: no posture is listed, many are."""
+    arm = traced_arm(table_arm([0, 1, 1], [0, 0, 0], ["1/2", "0", "0"]))
+    trace = trace_path(arm, places(["0", "0", "1.2"], ["0.5", "0", "1"]))
+    assert trace.first.whole_curves and not trace.runs
+    assert first_unreachable(trace) is None
+    assert any("infinitely many" in remark for remark in trace.remarks)
