@@ -72,12 +72,11 @@ class LockEnd:
         Raises:
             Refusal: this is not so, or could not be proved.
         """
-        half = self.certificate.lock.half
-        stack, bounds = [(Fraction(0), half)], []
+        stack, bounds = [(Fraction(0), self.certificate.lock.half, 0)], []
         while stack:
-            e, w = stack.pop()
+            e, w, depth = stack.pop()
             self.pieces += 1
-            if w * 2**_DEPTH < half:
+            if depth > _DEPTH:
                 raise Refusal(
                     "no second posture of the first posture's pose is proved near the "
                     f"end of the path where the lock is {float(e):.9g} rad from its "
@@ -86,7 +85,8 @@ class LockEnd:
             with working_precision(BITS, _TERMS):
                 bound = _Piece(self.certificate, e, w).prove()
             if bound is None:
-                stack += [(e + w / 2, w / 2), (e - w / 2, w / 2)]
+                half = w / 2
+                stack += [(e + half, half, depth + 1), (e - half, half, depth + 1)]
             else:
                 bounds.append(bound[0])
                 self.radius = max(self.radius, bound[1])

@@ -90,6 +90,7 @@ def test_a_certificate_survives_its_file(moving: LockCertificate) -> None:
         ({"half": 30}, "proved"),
         ({"slopes": 0}, "no second posture"),
         ({"end": Fraction(1, 100)}, "no second posture"),
+        ({"still": Fraction(1, 100)}, "no second posture"),
         ({"limits": (Fraction(-3), Fraction(3))}, "limits"),
     ],
 )
@@ -111,7 +112,9 @@ def changed(moving: LockCertificate, change: dict[str, object]) -> LockCertifica
         return replace(moving, lock=replace(moving.lock, half=moving.lock.half * 30))
     if key == "slopes":
         return replace(moving, slopes=tuple((Fraction(0),) * 6 for _ in moving.path))
-    if key == "end":
+    if key == "still":  # at a single value, and its end off
+        moving = replace(moving, lock=replace(moving.lock, half=Fraction(0)))
+    if key in ("end", "still"):
         *path, last = moving.path
         return replace(moving, path=(*path, tuple(x + value for x in last)))
     return replace(moving, limits=(value,) * 6)
