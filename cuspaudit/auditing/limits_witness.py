@@ -1,8 +1,8 @@
 """A path inside the joint limits between two postures of one pose, proved.
 
 Paths are proposed round cusps, and through the cells of the box of three joints; those
-of the three joints before a wrist are lifted to all six. Each is tried for the numbers
-of the file first, then for those of the model.
+of the three joints before a wrist are lifted to all six. Each is proved for the model,
+which the verdict is about, and shown for the numbers of the file where it is one there.
 """
 
 from __future__ import annotations
@@ -46,13 +46,21 @@ def limited(path: Array, chain: Chain) -> Witness | None:
 
 
 def first_proved(paths: Iterable[Array], chains: Sequence[Chain]) -> Witness | None:
-    """The first of the paths that is proved, for the first chain possible."""
+    """The first of the paths that is proved for the last chain.
+
+    Args:
+        paths: proposed.
+        chains: the last is the one that the verdict is about; of the others the first
+            for which the path is proved as well is shown in its place.
+    """
+    *others, own = chains
     for path in paths:
-        for chain in dict.fromkeys(chains):
-            check_time("limits")
-            witness = limited(path, chain)
-            if witness is not None:
-                return witness
+        check_time("limits")
+        witness = limited(path, own)
+        if witness is None:
+            continue
+        shown = (limited(path, chain) for chain in others if chain != own)
+        return next((each for each in shown if each is not None), witness)
     return None
 
 

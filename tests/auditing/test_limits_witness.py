@@ -91,6 +91,20 @@ def test_a_cusp_that_no_path_goes_round_leads_to_cells() -> None:
     assert max(abs(found.witness.path[:, 0])) < math.radians(1)
 
 
+def test_a_path_of_another_chain_proves_nothing() -> None:
+    """A path proved for the file's numbers alone is none of the model's."""
+    chain = limited(ISSAC, ((-1, 1), None, None))
+    found = within_limits(answer(exact_model(chain)), chain, 0, Clock())
+    assert found is not None
+    assert found.witness is not None
+    path, small = found.witness.path, limited(ISSAC, ((-1, 1), (0, 1), (0, 1)))
+    assert first_proved([path], (small, chain)) is not None
+    shown = first_proved([path], (ISSAC, chain))
+    assert shown is not None
+    assert shown.chain == ISSAC
+    assert first_proved([path], (chain, small)) is None
+
+
 def test_an_end_joint_goes_from_one_side_of_its_middle_to_the_other() -> None:
     """Only the difference of its end values counts, so the room is shared."""
     path = np.array([[0.0, 1.0], [1.0, 2.0]])
