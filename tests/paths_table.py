@@ -28,8 +28,9 @@ from cuspaudit.robot.chain import Angle
 from cuspaudit.robot.frames import frames
 from cuspaudit.robot.library import open_robot
 from cuspaudit.toolpath.joint_pose import JointValue, pose_of_joints
-from cuspaudit.toolpath.trace import Trace, trace_path
+from cuspaudit.toolpath.trace import trace_path
 from cuspaudit.toolpath.traced_arm import TracedArm, traced_arm
+from cuspaudit.toolpath.traced_path import Trace
 from cuspaudit.toolpath.waypoints import ToolPath
 from tests.toolpath.traced_arms import crx, places, table_arm
 

@@ -34,9 +34,10 @@ from cuspaudit.toolpath.run_certificate import run_certificate
 from cuspaudit.toolpath.same_aspect import Connection as FoundConnection
 from cuspaudit.toolpath.same_aspect import connection_record
 from cuspaudit.toolpath.same_aspect import same_aspect as find_connection
-from cuspaudit.toolpath.trace import Run, trace_path
-from cuspaudit.toolpath.trace import Trace as FoundTrace
+from cuspaudit.toolpath.trace import trace_path
 from cuspaudit.toolpath.traced_arm import TracedArm, traced_arm
+from cuspaudit.toolpath.traced_path import Run
+from cuspaudit.toolpath.traced_path import Trace as FoundTrace
 from cuspaudit.toolpath.waypoints import Pose, ToolPath
 
 __all__ = ["Connection", "Postures", "Trace", "postures", "same_aspect", "trace"]

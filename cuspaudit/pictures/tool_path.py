@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from cuspaudit.robot.chain import Angle, Chain
 from cuspaudit.robot.frames import angle_value, frames
 from cuspaudit.toolpath.postures import PostureList
-from cuspaudit.toolpath.trace import Run, Trace
+from cuspaudit.toolpath.traced_path import Run, Trace
 
 __all__ = ["MOST_RUNS", "postures_drawing", "trace_drawing"]
 

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
-from cuspaudit.toolpath.trace import Trace
+from cuspaudit.toolpath.traced_path import Trace
 
 __all__ = ["Laps", "laps_of"]
 

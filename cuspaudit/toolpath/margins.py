@@ -17,8 +17,8 @@ from cuspaudit.auditing.witness import certificate_of
 from cuspaudit.certificate.posture_margin import posture_margin
 from cuspaudit.toolpath.limits import joint_ranges
 from cuspaudit.toolpath.runs import FreeRun
-from cuspaudit.toolpath.trace import Run, Trace
 from cuspaudit.toolpath.traced_arm import TracedArm
+from cuspaudit.toolpath.traced_path import Run, Trace
 from cuspaudit.toolpath.tube import Knot
 
 __all__ = [

@@ -14,8 +14,8 @@ from numpy.typing import NDArray
 
 from cuspaudit.toolpath.ball_arm import BITS
 from cuspaudit.toolpath.starts import solve_pose
-from cuspaudit.toolpath.trace import Trace
 from cuspaudit.toolpath.traced_arm import TracedArm
+from cuspaudit.toolpath.traced_path import Trace
 from cuspaudit.toolpath.waypoints import Pose
 
 __all__ = ["Unreachable", "first_unreachable", "out_of_reach"]

@@ -11,7 +11,7 @@ from cuspaudit.toolpath.laps import laps_of
 from cuspaudit.toolpath.margins import limit_margin, recommended, singular_margin
 from cuspaudit.toolpath.reach import first_unreachable
 from cuspaudit.toolpath.recorded import recorded_motion
-from cuspaudit.toolpath.trace import Run, Trace
+from cuspaudit.toolpath.traced_path import Run, Trace
 
 __all__ = ["SCHEMA", "exit_code", "trace_record"]
 

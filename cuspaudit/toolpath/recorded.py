@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from cuspaudit.toolpath.trace import Run, Trace
+from cuspaudit.toolpath.traced_path import Run, Trace
 
 __all__ = ["Recorded", "recorded_motion"]
 

@@ -8,7 +8,7 @@ from cuspaudit.auditing.search.lift import close
 from cuspaudit.auditing.witness import certified
 from cuspaudit.certificate import text_from_certificate
 from cuspaudit.errors import RetryableError, UnableError
-from cuspaudit.toolpath.trace import Trace
+from cuspaudit.toolpath.traced_path import Trace
 
 __all__ = ["run_certificate"]
 

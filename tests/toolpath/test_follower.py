@@ -9,8 +9,9 @@ import pytest
 from numpy.typing import NDArray
 
 from cuspaudit.toolpath.joint_pose import pose_of_joints
-from cuspaudit.toolpath.trace import Run, Trace, trace_path
+from cuspaudit.toolpath.trace import trace_path
 from cuspaudit.toolpath.traced_arm import TracedArm
+from cuspaudit.toolpath.traced_path import Run, Trace
 from cuspaudit.toolpath.waypoints import ToolPath
 from tests.toolpath.traced_arms import crx, exact, fact, mirror, places
 

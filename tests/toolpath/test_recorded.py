@@ -4,7 +4,8 @@ from dataclasses import replace
 
 from cuspaudit.toolpath.joint_pose import pose_of_joints
 from cuspaudit.toolpath.recorded import Recorded, recorded_motion
-from cuspaudit.toolpath.trace import Trace, trace_path
+from cuspaudit.toolpath.trace import trace_path
+from cuspaudit.toolpath.traced_path import Trace
 from cuspaudit.toolpath.waypoints import ToolPath
 from tests.toolpath.traced_arms import exact, fact, mirror, places
 

@@ -22,8 +22,9 @@ from cuspaudit.toolpath.leg_system import LegSystem
 from cuspaudit.toolpath.starts import solve_pose
 from cuspaudit.toolpath.strand import settled
 from cuspaudit.toolpath.strands import follow_path, known_postures
-from cuspaudit.toolpath.trace import Trace, trace_path
+from cuspaudit.toolpath.trace import trace_path
 from cuspaudit.toolpath.traced_arm import TracedArm, traced_arm
+from cuspaudit.toolpath.traced_path import Trace
 from cuspaudit.toolpath.tube import TubeBounds, axis_at, knot_at, tube_round
 from cuspaudit.toolpath.waypoints import Pose, ToolPath
 from tests.toolpath.traced_arms import (

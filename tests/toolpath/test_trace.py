@@ -11,8 +11,9 @@ from cuspaudit.robot.chain import Angle
 from cuspaudit.toolpath.joint_pose import pose_of_joints
 from cuspaudit.toolpath.laps import laps_of
 from cuspaudit.toolpath.record import exit_code, trace_record
-from cuspaudit.toolpath.trace import Run, Trace, trace_path
+from cuspaudit.toolpath.trace import trace_path
 from cuspaudit.toolpath.traced_arm import traced_arm
+from cuspaudit.toolpath.traced_path import Run, Trace
 from cuspaudit.toolpath.waypoints import ToolPath
 from tests.toolpath.traced_arms import FACTS, crx, exact, fact, mirror, places
 
