@@ -13,6 +13,7 @@ from math import gcd, lcm
 from flint import Ordering, fmpq, fmpz, fmpz_mpoly, fmpz_mpoly_ctx, fmpz_poly
 
 from cuspaudit.algebra.interpolation import Row, interpolated_discriminant
+from cuspaudit.algebra.long_calls import in_time
 from cuspaudit.algebra.ring import Polynomial, Ring
 
 __all__ = [
@@ -26,6 +27,11 @@ __all__ = [
     "square_free_factors",
 ]
 
+#: terms times squares of degrees, or degrees, of calls of 0.1 s and longer
+_LONG_RESULTANT = 3_000_000
+_LONG_DISCRIMINANT = 15_000
+_LONG_FACTORS = 200_000
+
 
 def resultant(ring: Ring, p: Polynomial, q: Polynomial, name: str) -> Polynomial:
     """The resultant of ``p`` and ``q`` with respect to ``name``.
@@ -33,7 +39,12 @@ def resultant(ring: Ring, p: Polynomial, q: Polynomial, name: str) -> Polynomial
     It vanishes wherever p and q have a common root or their leading coefficients
     vanish together.
     """
-    return ring.reduce(p.resultant(q, name))
+    i = ring.context.variable_to_index(name)
+    size = (len(p) + len(q)) * (p.degrees()[i] + q.degrees()[i]) ** 2
+    (found,) = in_time(
+        ring, lambda: [p.resultant(q, name)], size > _LONG_RESULTANT, "resultant"
+    )
+    return ring.reduce(found)
 
 
 def discriminant(ring: Ring, p: Polynomial, name: str) -> Polynomial:
@@ -55,8 +66,14 @@ def discriminant(ring: Ring, p: Polynomial, name: str) -> Polynomial:
             for half in halves
         )
         return plain + surd * ring.surd if ring.radicand else plain
-    value = integral.discriminant(name)
-    return ring.reduce(ring.context.from_dict(value.to_dict()))
+    degree = integral.degrees()[ring.context.variable_to_index(name)]
+    size = 8 * len(integral) * degree**2
+
+    def work() -> list[Polynomial]:
+        return [ring.context.from_dict(integral.discriminant(name).to_dict())]
+
+    (found,) = in_time(ring, work, size > _LONG_DISCRIMINANT, "discriminant")
+    return ring.reduce(found)
 
 
 def deflated(
@@ -125,7 +142,7 @@ def square_free_factors(
     for p in polynomials:
         if p.is_constant():
             continue
-        parts = [p] if ring.radicand else [factor for factor, _ in p.factor()[1]]
+        parts = [p] if ring.radicand else _factors(ring, p)
         found += [part for part in parts if part not in found]
     return found
 
@@ -138,9 +155,19 @@ def rational_factors(ring: Ring, polynomials: Iterable[Polynomial]) -> list[Poly
     """
     found: list[Polynomial] = []
     for p in polynomials:
-        parts = [factor for factor, _ in ring.norm(p).factor()[1]]
+        parts = _factors(ring, ring.norm(p))
         found += [part for part in parts if part not in found]
     return found
+
+
+def _factors(ring: Ring, p: Polynomial) -> list[Polynomial]:
+    """The irreducible factors over Q, each once."""
+
+    def work() -> list[Polynomial]:
+        return [factor for factor, _ in p.factor()[1]]
+
+    size = len(p) * max(p.degrees())
+    return in_time(ring, work, size > _LONG_FACTORS, "factors")
 
 
 def _divided(ring: Ring, p: Polynomial, i: int, k: int) -> Polynomial:

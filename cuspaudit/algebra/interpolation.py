@@ -8,6 +8,8 @@ from itertools import combinations, count
 
 from flint import Ordering, fmpz, fmpz_mpoly_ctx, fmpz_poly
 
+from cuspaudit.runtime.clock import check_time
+
 __all__ = ["Row", "discriminant_degree", "interpolated_discriminant"]
 
 #: (A, B): a coefficient A(u) + sqrt(m) B(u); B is 0 over Q.
@@ -38,6 +40,7 @@ def interpolated_discriminant(
         special = [(a(u), b(u)) for a, b in rows]
         if special[-1] == (0, 0):
             continue
+        check_time("discriminant")
         value = _discriminant_over_z(special, radicand)
         points.append(u)
         plain.append(value[0])

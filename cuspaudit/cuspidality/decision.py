@@ -190,9 +190,13 @@ def decide(
                     _check(run, steps, first=False)
                 _whole(run, steps, engine, seed)
     except TimeLimitError as limit:
-        run.failure = TimeLimitError(steps.current, limit.seconds)
+        seconds = timeout if timeout is not None and not steps.left else limit.seconds
+        run.failure = TimeLimitError(steps.current, seconds)
     except UnableError as limit:
+        # what a routine was unable to do in its last moment, it had no time for
         run.failure = limit
+        if timeout is not None and not steps.left:
+            run.failure = TimeLimitError(steps.current, timeout)
     except RetryableError as unlucky:
         run.failure = UnableError(steps.current, str(unlucky))
     steps.end()
