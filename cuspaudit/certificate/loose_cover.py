@@ -7,7 +7,7 @@ straight way from (c, none) to (s, p), with play that grows in proportion,
 
 the suprema over the whole piece and all play (`loose_slopes`). df/ds is the sum of the
 slopes by the joint values times the steps of the segment. A piece on which this is not
-positive is halved; where it is not positive at a point alone, halving does not help.
+clearly positive is halved; where it is not at a point alone, halving does not help.
 """
 
 from __future__ import annotations
@@ -30,6 +30,8 @@ from cuspaudit.certificate.play import without_play
 
 __all__ = ["BITS", "LooseCover"]
 
+_CLEAR = 1 / 64
+"""A bound is good when it is more than this part of what det J is without play."""
 BITS = 64
 """Play is far wider than what is rounded away at this precision."""
 
@@ -101,4 +103,5 @@ class LooseCover:
         slopes = slopes_at(loose, box)
         along = sum((x * d for x, d in zip(slopes.by_joint, way, strict=True)), arb(0))
         height = value * self.certificate.sign
-        return (height - abs(along).upper() - slopes.by_play).lower()
+        bound = (height - abs(along).upper() - slopes.by_play).lower()
+        return bound if bound > height * _CLEAR else arb(0)

@@ -3,11 +3,12 @@
 // A frame is {R, p}: R by rows. The screw of a joint is {w, m}: at unit speed the arm
 // beyond turns with w, and the point that passes through the origin moves with m.
 
-import { enclosed, interval, quotient, rootOf, sineAndCosineOf } from "./interval.js";
+import { difference, enclosed, interval, product, quotient, rootOf, sineAndCosine, sineAndCosineOf }
+  from "./interval.js";
 import { UNIT, constant, minus, plus, times, trigonometric } from "./jet.js";
 import { ONE, ZERO } from "./rational.js";
 
-const AXES = [0, 1, 2];
+const AXES = [0, 1, 2], ONE_POINT = interval(1), HALF = interval(0.5);
 export const STILL = { R: AXES.map((i) => AXES.map((j) => (i === j ? UNIT : []))), p: [[], [], []] };
 
 export class Arm {
@@ -19,6 +20,8 @@ export class Arm {
       return { turns: joint.turns, axis: unit(joint.axis), before, undone: this.undo(before) };
     });
     this.tool = this.fixed(robot.tool);
+    this.links = [...robot.joints.map((joint) => joint.before), robot.tool].map((motions) =>
+      motions.map((each) => this.step(each)));
   }
 
   dot(u, v) {
@@ -51,7 +54,26 @@ export class Arm {
     return motions.reduce((f, motion) => this.then(f, this.motion(motion)), STILL);
   }
 
+  /** A fixed motion, or play with what it may be: {lengths, angles} and the axis of one number. */
+  step(each) {
+    const motion = this.motion(each), undone = this.undo(motion);
+    if (!each.play) return { motion, undone };
+    const [lengths, angles] = each.play.map((radius) => enclosed(radius).h);
+    return { motion, undone, play: { lengths, angles, axis: each.axis && unit(each.axis).n } };
+  }
+
+  /** All motions of a play: a turn of at most a moves unit vectors by at most a. */
+  loose({ play, axis }) {
+    const [way, off] = play.map((radius) => { const { h } = enclosed(radius); return interval(-h, h); });
+    const on = interval(difference(ONE_POINT, product(product(off, off), HALF)).l, 1);
+    if (!axis)
+      return { R: AXES.map((i) => AXES.map((j) => (i === j ? [on] : constant(off)))), p: AXES.map(() => constant(way)) };
+    const { n } = unit(axis), [s, c] = sineAndCosine(off).map(constant);
+    return { R: this.rotation(unit(axis), s, c), p: n.map((x) => times(x, constant(way), this.terms)) };
+  }
+
   motion(motion) {
+    if (motion.play) return this.loose(motion);
     if (motion.translate) return { R: STILL.R, p: motion.translate.map(number) };
     const [s, c] = sineAndCosineOf(motion.halfTurns, motion.radians).map(constant);
     return { R: this.rotation(unit(motion.rotate), s, c), p: STILL.p };
@@ -129,10 +151,19 @@ export class Arm {
     return columns;
   }
 
-  /** Determinant of a matrix by columns: minors of the first k columns, by sets of rows. */
+  /** Determinant of a matrix by columns, by Laplace: minors of the two halves of the columns. */
   det(columns) {
-    let minors = new Map([[0, UNIT]]);
-    columns.forEach((column) => {
+    const half = columns.length >> 1, every = (1 << columns.length) - 1;
+    const [first, last] = [this.minors(columns.slice(0, half)), this.minors(columns.slice(half))];
+    return [...first].reduce((total, [rows, minor]) => {
+      const term = times(minor, last.get(every ^ rows) ?? [], this.terms);
+      return plus(total, inversions(rows) % 2 ? minus(term) : term);
+    }, []);
+  }
+
+  /** Minors of all these columns, by sets of as many rows. */
+  minors(columns) {
+    return columns.reduce((minors, column) => {
       const next = new Map();
       for (const [rows, minor] of minors)
         column.forEach((entry, i) => {
@@ -143,12 +174,17 @@ export class Arm {
           const key = rows | (1 << i);
           next.set(key, plus(next.get(key) ?? [], passed % 2 ? minus(term) : term));
         });
-      minors = next;
-    });
-    return minors.get((1 << columns.length) - 1) ?? [];
+      return next;
+    }, new Map([[0, UNIT]]));
   }
 }
 
+/** How many rows outside the set stand before rows of it. */
+const inversions = (rows) => {
+  let [before, total] = [0, 0];
+  for (let set = rows; set; set >>= 1) if (set & 1) total += before; else before++;
+  return total;
+};
 const bits = (set) => { let n = 0; for (; set; set &= set - 1) n++; return n; };
 const number = (x) => constant(enclosed(x));
 const transposed = (R) => AXES.map((j) => R.map((row) => row[j]));

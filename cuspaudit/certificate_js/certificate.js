@@ -1,7 +1,8 @@
 // From JSON to a certificate: each key where the format has it, and no other.
 
 import { parseJson } from "./json.js";
-import { Rational, Refusal } from "./rational.js";
+import { isLoose } from "./play.js";
+import { Rational, Refusal, ZERO } from "./rational.js";
 
 const JOINTS = { position: 3, "position-and-angle": 4, "position-and-axis": 6, pose: 6 };
 const FIRST = "cuspaudit/certificate/1";
@@ -28,7 +29,9 @@ export function readCertificate(text) {
   string(top.made_by, "made_by");
   const robot = readRobot(top.robot);
   const count = robot.joints.length;
-  const found = { kind, robot, ...readOptions(top, count) };
+  const { limits, tolerance } = readOptions(top, count);
+  if (first && isLoose(robot)) refuse("robot", "version 1 has no loose numbers");
+  const found = { kind, robot: tolerance ? withPlay(robot, tolerance) : robot, limits };
   if (kind === "path") return { ...found, ...readPath(top, robot) };
   if (kind === "cusp") return { ...found, posture: row(top.posture, count, "posture") };
   if (kind === "pairs") return { ...found, ...readPairs(top, robot) };
@@ -63,6 +66,13 @@ function readMotion(json, where) {
     const { translate } = table(json, where, ["translate"]);
     return { translate: row(translate, 3, `${where}.translate`) };
   }
+  if (json instanceof Map && json.has("within")) {
+    const kind = json.has("turn") ? "turn" : "slide";
+    const top = table(json, where, [kind, "within"]), radius = number(top.within, `${where}.within`);
+    if (radius.sign < 0) refuse(`${where}.within`, "negative");
+    const play = kind === "turn" ? [ZERO, radius] : [radius, ZERO];
+    return { play, axis: direction(top[kind], `${where}.${kind}`) };
+  }
   const top = table(json, where, ["rotate", "angle"]);
   const angle = table(top.angle, `${where}.angle`, ["pi", "rad"]);
   return {
@@ -84,6 +94,13 @@ function readOptions(top, count) {
   const radii = [number(lengths, "tolerance.lengths"), number(angles, "tolerance.angles")];
   if (radii.some((radius) => radius.sign < 0)) refuse("tolerance", "negative");
   return { limits, tolerance: radii };
+}
+
+/** Both axes of each link are off: a play at both ends. */
+function withPlay(robot, play) {
+  const both = (motions) => [{ play }, ...motions, { play }];
+  const joints = robot.joints.map((joint) => ({ ...joint, before: both(joint.before) }));
+  return { ...robot, joints, tool: both(robot.tool) };
 }
 
 function readInterval(json, where) {

@@ -8,9 +8,10 @@ import { difference, enclosed, excludesZero, interval, magnitude, middle, negate
   product, sum, widened } from "./interval.js";
 import { UNIT } from "./jet.js";
 import { checkInside } from "./path.js";
+import { isLoose } from "./play.js";
 import { Refusal } from "./rational.js";
 
-const FARTHEST = powerOfTwo(-24);
+const FARTHEST = powerOfTwo(-24), FARTHEST_OF_MANY = powerOfTwo(-1);
 
 export function proveCusp({ robot, limits, posture }) {
   if (robot.task === "position-and-angle") throw new Refusal("a cusp is of another task");
@@ -30,6 +31,7 @@ const value = (jet, k = 0) => jet[k] ?? interval(0);
 class Field {
   constructor(robot, posture) {
     this.arm = new Arm(robot, 3);
+    this.farthest = isLoose(robot) ? FARTHEST_OF_MANY : FARTHEST;
     this.size = robot.joints.length;
     this.variables = this.size === 3 ? [1, 2] : [1, 2, 3, 4]; // det J depends on no other
     const sizes = posture.map((_, row) => { this.row = row; return this.largest(posture); });
@@ -88,7 +90,7 @@ class Field {
     const centre = posture.map((x, i) => (joints.includes(i) ? interval(middle(x)) : x));
     const { h, g } = this.flow(centre);
     const newton = applied([h, g]);
-    for (let reach = 2 * Math.max(...newton.map(magnitude), powerOfTwo(-50)); reach < FARTHEST / 2; reach *= 2) {
+    for (let reach = 2 * Math.max(...newton.map(magnitude), powerOfTwo(-50)); reach < this.farthest / 2; reach *= 2) {
       const box = centre.map((x, i) => (joints.includes(i) ? widened(x, reach) : x));
       const A = this.derivative(box, joints), step = interval(-reach, reach);
       const columns = [0, 1].map((j) => applied([A[0][j], A[1][j]]));

@@ -4,6 +4,7 @@
 import { Arm } from "./arm.js";
 import { PI, difference, enclosed, excludesZero, interval, isPositive, magnitude, negated,
   product, quotient, rootOf, sineAndCosine, sum } from "./interval.js";
+import { withoutPlay } from "./play.js";
 import { Refusal } from "./rational.js";
 import { areSquare, checkRegular } from "./structure.js";
 
@@ -18,7 +19,8 @@ const total = (...terms) => terms.reduce(sum, NOUGHT);
 
 export function provePairs({ robot, parting, regular }) {
   if (!robot.joints.every((joint) => joint.turns)) throw new Refusal("a joint slides");
-  const onALine = areSquare(robot, [1, 2]);
+  const tilted = robot.joints[1].before.some(({ play }) => play && !play[1].isZero);
+  const onALine = !tilted && areSquare(withoutPlay(robot), [1, 2]);
   const circles = valueCircles(robot, onALine);
   checkCircles(circles, onALine);
   const parts = { 1: [], "-1": [] };

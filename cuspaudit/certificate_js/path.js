@@ -3,6 +3,7 @@
 import { Arm } from "./arm.js";
 import { PI, difference, enclosed, excludesZero, interval, isPositive, isZero, magnitude,
   middle, negated, powerOfTwo, product, quotient, sum, widened } from "./interval.js";
+import { coverLoosely, isLoose, secondPostures, withoutPlay } from "./play.js";
 import { Refusal } from "./rational.js";
 
 const TERMS = 5; // of a jet along the path: the last one bounds the remainder
@@ -10,17 +11,23 @@ const MOST_INTERVALS = 100000;
 const LARGEST_RADIUS = powerOfTwo(-30);
 
 /** Proves the certificate, or throws a Refusal; returns what was proved. */
-export function provePath({ robot, limits, sign, postures: [first, second], path }) {
+export function provePath({ robot: all, limits, sign, postures: [first, second], path }) {
+  const robot = withoutPlay(all), loose = isLoose(all);
   if (!same(path[0], first)) throw new Refusal("the path does not start at the first posture");
   if (!same(path.at(-1), second)) throw new Refusal("the path does not end at the second posture");
   path.forEach((point) => checkInside(limits, point.map(enclosed)));
   const box = truePosture(new Arm(robot, 1), first, second);
-  checkInside(limits, box);
-  if (!differs(robot, box, first)) throw new Refusal("the two postures are the same");
-  const atEnd = new Arm(robot, 1).determinant(box.map((x) => [x]));
-  if (!hasSign(atEnd, sign)) throw new Refusal("det J at the second posture: sign not proved");
+  const still = new Arm(robot, 1), every = new Arm(all, 1);
+  const atEnd = still.determinant(box.map((x) => [x]));
+  const ends = loose ? secondPostures(every, first, box, inverse) : { box, change: 0 };
+  if (!hasSign([widened(atEnd[0] ?? interval(0), ends.change)], sign))
+    throw new Refusal("det J at the second posture: sign not proved");
+  checkInside(limits, ends.box);
+  if (!differs(robot, ends.box, first)) throw new Refusal("the two postures are the same");
   const arm = new Arm(robot, TERMS);
-  for (let k = 1; k < path.length; k++) coverSegment(arm, path[k - 1], path[k], sign, k);
+  for (let k = 1; k < path.length; k++)
+    if (loose) coverLoosely(still, every, path[k - 1], path[k], sign, k);
+    else coverSegment(arm, path[k - 1], path[k], sign, k);
   const count = path.length - 1;
   return `cuspidal: two postures of one place, joined by a path of ${count} ` +
     `segment${count > 1 ? "s" : ""} with det J ${sign > 0 ? ">" : "<"} 0`;

@@ -36,7 +36,7 @@ from cuspaudit.robot.tables import Table, read_mapping, table_from_mapping
 
 __all__ = ["RECORDED", "read_family"]
 
-RECORDED = (*COUNTS, "clearance", "within_limits")
+RECORDED = (*COUNTS, "clearance", "tolerance", "within_limits")
 _NAMED = ("verdict", *RECORDED)
 _RESERVED = {
     *WORDS,

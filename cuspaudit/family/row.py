@@ -91,7 +91,17 @@ def _decided(family: Family, index: int) -> Row:
         row["within_limits"] = _within_limits(found, model.chain, family.seed)
     if "clearance" in family.record:
         row["clearance"] = _clearance(found, model.chain)
+    if "tolerance" in family.record:
+        row["tolerance"] = _tolerance(found, model.chain, family.seed)
     return row
+
+
+def _tolerance(found: Answer, chain: Chain, seed: int) -> float | None:
+    """How far, in lengths and in rad, all axes may be off; None where not proved."""
+    # loaded only by the families that ask
+    from cuspaudit.auditing.tolerance.over_tolerance import largest_tolerance
+
+    return largest_tolerance(found, chain, seed)
 
 
 def _within_limits(found: Answer, chain: Chain, seed: int) -> str | None:

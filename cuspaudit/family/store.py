@@ -45,6 +45,7 @@ _TYPES = {
     "aspects": pa.int64(),
     "max_postures": pa.int64(),
     "clearance": pa.float64(),
+    "tolerance": pa.float64(),
     "within_limits": pa.string(),
 }
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from fractions import Fraction
 from itertools import pairwise
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -18,6 +19,7 @@ from cuspaudit.certificate import (
     Rotate,
     Tolerance,
     certificate_from_text,
+    read_certificate,
     text_from_certificate,
     verify,
 )
@@ -26,6 +28,7 @@ from cuspaudit.certificate.loose_arm import loose_arm
 from cuspaudit.certificate.loose_slopes import slopes_at
 from cuspaudit.errors import InvalidCertificateError
 
+ROOT = Path(__file__).parents[2]
 X, Y, Z = ((Fraction(i == 0), Fraction(i == 1), Fraction(i == 2)) for i in range(3))
 
 
@@ -93,6 +96,39 @@ def test_arms_of_an_accepted_tolerance_have_the_couple(
             for share in np.linspace(0, 1, 9):
                 height = det(arm, a + share * (b - a)) * arm.sign
                 assert height >= found.smallest
+
+
+EVERY = sorted((ROOT / "certificates/accepted").glob("*-every-arm-path.json"))
+
+
+@pytest.mark.parametrize("file", EVERY, ids=lambda file: file.name)
+@pytest.mark.parametrize("arms", [3, pytest.param(40, marks=pytest.mark.slow)])
+def test_arms_of_the_certified_boxes_have_the_couple(file: Path, arms: int) -> None:
+    """Six known arms: all of so many at the edge of the box keep both postures."""
+    claim = read_certificate(file)
+    assert isinstance(claim, PathCertificate)
+    rng = np.random.default_rng(arms)
+    for _ in range(arms):
+        arm = built(claim, rng)
+        last = second_posture(arm)
+        path = [[float(x) for x in row] for row in arm.path] + [list(last)]
+        for a, b in pairwise(np.array(path)):
+            for share in np.linspace(0, 1, 7):
+                assert det(arm, a + share * (b - a)) * arm.sign > 0
+
+
+@pytest.mark.parametrize("file", EVERY, ids=lambda file: file.name)
+def test_the_certified_boxes_are_verified_in_seconds(file: Path) -> None:
+    """By 1 mm and 1 mrad, or a tenth: proved; ten or a hundred times it: refused."""
+    claim = read_certificate(file)
+    assert claim.tolerance is not None
+    radius = 1e-4 if file.name[:5] in ("piper", "lwa4p") else 1e-3
+    assert float(claim.tolerance.lengths) == float(claim.tolerance.angles) == radius
+    found = verify(claim)
+    assert found.accepted, found.reason
+    assert found.seconds < 5
+    wide = Fraction(repr(radius * 30))
+    assert not verify(replace(claim, tolerance=Tolerance(wide, wide))).accepted
 
 
 def test_play_as_wide_as_the_couple_is_refused() -> None:

@@ -31,9 +31,10 @@ from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import UnableError
 from cuspaudit.robot.chain import Chain
 from cuspaudit.robot.tolerance import AxisTolerance
+from cuspaudit.robot.virtual_joint import with_virtual_joint
 from cuspaudit.runtime.clock import Clock
 
-__all__ = ["OverTolerance", "over_tolerance"]
+__all__ = ["OverTolerance", "largest_tolerance", "over_tolerance"]
 
 _TRIED = 2
 _COARSE = 1.3
@@ -113,6 +114,29 @@ def over_tolerance(
         if pairs is not None:
             return _by_pairs(box, pairs, clock)
     return _sampled(box, found, literal, seed, clock)
+
+
+def largest_tolerance(found: Answer, chain: Chain, seed: int) -> float | None:
+    """The largest t so that the verdict is proved within t lengths and t rad.
+
+    Args:
+        found: the answer for the arm.
+        chain: its own, whose numbers the proof is for.
+        seed: of every random choice.
+
+    Returns:
+        A lower bound by one certificate; None where there is no such proof.
+    """
+    unit = AxisTolerance(Fraction(1, 1000), Fraction(1, 1000))
+    literal, clock = with_virtual_joint(chain), Clock()
+    claims: Sequence[tuple[float, Certificate]] = []
+    if found.verdict is Verdict.CUSPIDAL:
+        claims = paths_with_room(literal, found.witness, unit, seed)[:1]
+    elif found.verdict is Verdict.NONCUSPIDAL and literal.task == "position":
+        pairs = pairs_certificate(literal)
+        claims = [] if pairs is None else [(0.1, pairs)]
+    reached = _proved(unit, found.verdict, claims, clock).proved if claims else None
+    return None if reached is None else float(reached.lengths)
 
 
 def _cuspidal(
