@@ -27,7 +27,8 @@ from cuspaudit.toolpath.ball_arm import angle_ball
 from cuspaudit.toolpath.leg_system import LegSystem
 from cuspaudit.toolpath.runs import FreeRun
 from cuspaudit.toolpath.strand import Link, settled, split
-from cuspaudit.toolpath.tube import beside, knot_at
+from cuspaudit.toolpath.tube import knot_at
+from cuspaudit.toolpath.tube_axis import beside
 
 __all__ = ["Leaving", "Range", "first_leaving", "joint_ranges", "windings"]
 

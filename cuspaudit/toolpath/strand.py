@@ -22,15 +22,8 @@ from numpy.typing import NDArray
 from cuspaudit.runtime.clock import time_is_up
 from cuspaudit.toolpath.ball_arm import BallArm
 from cuspaudit.toolpath.leg_system import LegSystem
-from cuspaudit.toolpath.tube import (
-    Axis,
-    Knot,
-    Tube,
-    axis_at,
-    beside,
-    knot_at,
-    tube_round,
-)
+from cuspaudit.toolpath.tube import Knot, Tube, knot_at, tube_round
+from cuspaudit.toolpath.tube_axis import Axis, axis_at, beside
 
 __all__ = [
     "Link",

@@ -15,14 +15,7 @@ smoothly on t. *Proof.* Krawczyk's test at every t [Krawczyk 1969; Neumaier 1990
 Theorem 5.1.8] gives existence and uniqueness, and F' N is regular on the tube, as
 |1 - Y F' N| w < w, so that the implicit function theorem gives smoothness. QED.
 
-**The bounds.** With a in the kernel of K(c) and 2 K e + K'[a] a = 0, to rounding,
-
-    K(y) y' = t^2 (K'[e] a + 2 K'[a] e + K''[a, a] a / 2) + rest,
-    K(y) N = (K + t K'[a] + t^2 (K'[e] + K''[a, a] / 2) + K'[N z]) N + rest,
-
-y' = a + 2 t e, and the rests are bounded by the sizes of the derivatives (`expansion`).
-M differs from the identity by at most the angle between hand and goal, which is at most
-the integral of the angular rows of K y' from c.
+The bounds are those of `tube_bounds`.
 
 **Slopes.** Along the curve dy/dt = a + 2 t e + N z' with F' N z' = -F' y', so z' is
 bounded by |Y F' y'| and the same contraction. Where a component keeps away from 0 the
@@ -30,59 +23,36 @@ curve is monotone in it.
 
 A knot is a box round a point with a zero in it. If it lies in two tubes, its zero
 belongs to the curves of both, and they are pieces of one curve.
-
-**Rounding.** c, a, e, N, Y, w, t0 and t1 are the doubles that they are: the theorem is
-about these. F(c) comes with its radius. What is left is the rounding of K and of sums
-and products, u = 2^-53 each. `TubeBounds.is_admissible` refuses what is not of moderate
-size: n <= 7, T <= 4, 2 T |e|_1 <= 4, path = T |a| + T^2 |e| <= 1, sides <= 1, and a and
-N orthonormal to 4e-15. Let rows = |Y| L, columns <= sqrt(8) the sums of |N|, and
-measure each term by the product of the absolute values of its factors. An entry of K is
-known to u of itself and 1e-15 of L, as `expansion` checks, so to 9 u of L; |a| <= 4.2
-and |a| + 2 T |e| <= 17, as the goal turns by at most pi.
-
-- Y K N, Y K a, 2 T Y K e: at most 20 roundings each, and 2 T |e| <= 4, so 80 u = 9e-15
-  of |Y| |K|, and 15e-15 of rows for K itself.
-- K' : products of two known entries (18 u), 3 roundings, then two or three products of
-  length 8: 48 u = 5.3e-15 of its size, which absolute values in place of norms make at
-  most 3 times as large. T Y K'[a] N, T^2 Y K'[e] N and the part of the sides in Y K' N
-  are at most sqrt(8) rows, so 4.5e-14 rows each; T Y K'[a] a at most 4.2 rows, so
-  7e-14; T^2 Y (K'[e] a + 2 K'[a] e) at most 12.6 rows, so 2e-13; what the sides have in
-  K' y' at most 17 rows, so 2.7e-13.
-- K'': 87 u = 1e-14; the four products of `Expansion.twice` and absolute values in place
-  of norms make its size at most 21 times as large: with T^2 |a|^2 / 2 <= 1/2 that gives
-  3e-13 rows in K N and 4.5e-13 rows in K y'.
-
-No sum of these is above 1.1e-12 (rows + |Y| |K|); NOISE is 2e-12. In coordinates there
-are at most 12 roundings of numbers below 8 + |offset|, 1.3e-15 of them, and what a and
-N lack to orthonormal, 3.2e-14 |offset|: ROUNDING (1 + |offset|) is more. The bounds
-themselves are polynomials of positive numbers, with less than 100 roundings, 1.2e-14 of
-their size: `_UP` is more.
 """
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 
 import numpy as np
 from flint import arb
 from numpy.typing import NDArray
 
-from cuspaudit.toolpath.expansion import NOISE, ROUNDING, Expansion, expansion_at
+from cuspaudit.toolpath.expansion import ROUNDING, Expansion, expansion_at
 from cuspaudit.toolpath.leg_system import LegSystem
+from cuspaudit.toolpath.tube_axis import Axis, inverse
+from cuspaudit.toolpath.tube_bounds import (
+    MOST_JOINTS,
+    MOST_OFF,
+    UP,
+    TubeBounds,
+    noise_of,
+    rows_of,
+    turn_columns,
+    turn_off,
+)
 
-__all__ = ["Axis", "Knot", "Tube", "axis_at", "beside", "knot_at", "tube_round"]
+__all__ = ["Knot", "Tube", "knot_at", "tube_round"]
 
 Array = NDArray[np.float64]
 
 _BEYOND = 1.0 / 64
-_THINNEST = 2e-11
 _KNOTS = 1e-12, 1e-11
-_CONTRACTS = 0.9
-_TRIES = 4
-_UP = 1 + 1e-12
-_MOST_T, _MOST_BEND, _MOST_PATH, _MOST_SIDE, _MOST_OFF = 4.0, 4.0, 1.0, 1.0, 0.1
-_MOST_JOINTS, _SQUARE = 7, 4e-15
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -150,14 +120,14 @@ class Tube:
         if not self.span[0] < t - reach <= t + reach < self.span[1]:
             return False
         z = self.across.T @ (offset - t * t * self.bow)
-        moved = (2 * abs(t) + reach) * reach * np.abs(self.across.T @ self.bow) * _UP
+        moved = (2 * abs(t) + reach) * reach * np.abs(self.across.T @ self.bow) * UP
         sides = np.abs(self.across.T) @ knot.reach + moved + slack
         return bool((np.abs(z) + sides < self.widths).all())
 
     def heads_with(self, other: Tube) -> bool:
         """Whether the tangents of ``other`` go the way this tube goes, proved."""
         middle = (other.rise_low + other.rise_high) / 2
-        spread = (other.rise_high - other.rise_low) / 2 * _UP
+        spread = (other.rise_high - other.rise_low) / 2 * UP
         return float(self.along @ middle - np.abs(self.along) @ spread) > ROUNDING
 
 
@@ -174,10 +144,10 @@ def knot_at(system: LegSystem, at: Array, across: Array) -> Knot | None:
     """
     here = expansion_at(system, at)
     Y = inverse(here.slope @ across)
-    if Y is None or not here.sound or system.size > _MOST_JOINTS:
+    if Y is None or not here.sound or system.size > MOST_JOINTS:
         return None
     for size in _KNOTS:
-        reach = np.abs(across).sum(axis=1) * size * _UP
+        reach = np.abs(across).sum(axis=1) * size * UP
         if _has_zero(here, Y, across, reach, size):
             return Knot(at, reach)
     return None
@@ -187,62 +157,18 @@ def _has_zero(
     here: Expansion, Y: Array, across: Array, reach: Array, size: float
 ) -> bool:
     """Whether Krawczyk's test succeeds for |z_k| <= size, a box of this reach."""
-    system, moved, rows = here.system, here.length(reach) * _UP, _rows(Y, here)
+    system, moved, rows = here.system, here.length(reach) * UP, rows_of(Y, here)
     left = np.abs(np.eye(len(Y)) - Y @ (here.slope @ across))
-    left += _noise(Y, rows, here)[:, None]
+    left += noise_of(Y, rows, here)[:, None]
     left += np.outer(rows * moved, np.abs(across).sum(axis=0))
     if system.has_pose or system.signs is not None:
-        off = _off(here)
-        if not off < _MOST_OFF:
+        off = turn_off(here)
+        if not off < MOST_OFF:
             return False
         turn = np.sqrt((Y[:, 3:] ** 2).sum(axis=1))
-        left += np.outer(turn * (off + moved), _turn_columns(across, system))
+        left += np.outer(turn * (off + moved), turn_columns(across, system))
     own = np.abs(Y) @ (np.abs(here.value) + here.value_error)
-    return bool(((own + left.sum(axis=1) * size) * _UP < size).all())
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Axis:
-    """The axis of a tube, without its ends.
-
-    Attributes:
-        here: the expansion at c.
-        along: a.
-        across: N.
-        bow: e.
-        Y: the inverse of K(c) N, nearly.
-    """
-
-    here: Expansion
-    along: Array
-    across: Array
-    bow: Array
-    Y: Array
-
-    def point(self, t: float) -> Array:
-        """C + t a + t^2 e."""
-        return self.here.at + t * self.along + t * t * self.bow
-
-
-def axis_at(system: LegSystem, at: Array, heading: Array) -> Axis | None:
-    """The axis through ``at``, a zero nearly, on the side of ``heading``."""
-    here = expansion_at(system, at)
-    if not here.sound:
-        return None
-    square = np.vstack([here.slope, heading])
-    right = np.zeros(len(at))
-    right[-1] = 1.0
-    try:
-        along = np.linalg.solve(square, right)
-    except np.linalg.LinAlgError:
-        return None
-    along = along / np.sqrt(along @ along)
-    across = beside(along)
-    Y = inverse(here.slope @ across)
-    if Y is None or not np.isfinite(along).all():
-        return None
-    bow = across @ (Y @ (here.bend @ along @ along)) / -2
-    return Axis(here, along, across, bow, Y)
+    return bool(((own + left.sum(axis=1) * size) * UP < size).all())
 
 
 def tube_round(axis: Axis, ends: tuple[Array, Array]) -> Tube | None:
@@ -265,12 +191,10 @@ def tube_round(axis: Axis, ends: tuple[Array, Array]) -> Tube | None:
     widths, strain = found
     T, bow = bounds.T, np.abs(axis.bow)
     slack = ROUNDING * (1 + np.abs(c))
-    aside = np.abs(axis.across) @ widths * _UP + T * T * bow + slack
+    aside = np.abs(axis.across) @ widths * UP + T * T * bow + slack
     one, other = along * span[0], along * span[1]
     rise = (
-        2 * T * bow
-        + np.abs(axis.across) @ bounds.drift(widths, strain) * _UP
-        + ROUNDING
+        2 * T * bow + np.abs(axis.across) @ bounds.drift(widths, strain) * UP + ROUNDING
     )
     return Tube(
         center=c,
@@ -285,156 +209,3 @@ def tube_round(axis: Axis, ends: tuple[Array, Array]) -> Tube | None:
         rise_high=along + rise,
         strain=strain,
     )
-
-
-class TubeBounds:
-    """The bounds of the module's theorem for one axis and |t| <= T."""
-
-    def __init__(self, axis: Axis, T: float) -> None:
-        here, Y, N = axis.here, axis.Y, axis.across
-        system, a, e = here.system, axis.along, axis.bow
-        self.T, self._axis = T, axis
-        along, twice = here.bend @ a, here.twice(a)
-        second = here.bend @ e + twice / 2
-        a1, a2 = here.length(a), here.length(e)
-        self.path, self.speed = T * a1 + T**2 * a2, a1 + 2 * T * a2
-        third_order = self.path**3 / 6
-        self.rest = T**3 * a1 * a2 + T**4 * a2**2 / 2 + third_order
-        self.rest_speed = third_order * self.speed + T**3 * a2 * (
-            2 * a2 + 2 * a1**2 + 2.5 * T * a1 * a2 + T**2 * a2**2
-        )
-        size = np.abs(Y)
-        self.rows = _rows(Y, here)
-        noise = _noise(Y, self.rows, here)
-        # K y' = r0 + t r1 + t^2 g + rest
-        r0, r1 = here.slope @ a, 2 * (here.slope @ e) + along @ a
-        g = second @ a + 2 * (along @ e)
-        terms = np.abs(Y @ np.stack([r0, r1, g], 1))
-        self.moving = terms @ [1, T, T**2] + self.rows * self.rest_speed + noise
-        # the rest is of order 3 in t at least: its integral has a factor 1/4
-        whole = T * (self.rows * self.rest_speed / 4 + noise)
-        own = terms @ [T, T**2 / 2, T**3 / 3] + whole
-        self.own = own + size @ (np.abs(here.value) + here.value_error)
-        flat = np.eye(len(Y)) - Y @ (here.slope @ N)
-        self.still = np.abs(flat) + noise[:, None]
-        self.still += T * np.abs(Y @ along @ N) + T**2 * np.abs(Y @ second @ N)
-        self.bends = Y @ np.moveaxis(here.bend @ N, 2, 0)  # (j, n, n + 1)
-        self.bent = np.abs(self.bends @ N)
-        self.columns = np.abs(N).sum(axis=0)
-        self.turn = None
-        if system.has_pose or system.signs is not None:
-            self.turn = np.sqrt((Y[:, 3:] ** 2).sum(axis=1))
-            s0, s1, s2 = (float(np.sqrt((r[3:] ** 2).sum())) for r in (r0, r1, g))
-            row = float(np.abs(here.slope[3:]).sum(axis=1).max())
-            swing = self.rest_speed / 4 + 2 * NOISE * (2 + row)
-            self.turned = T * (s0 + T / 2 * s1 + T**2 / 3 * s2 + swing) + _off(here)
-            self.turning = s0 + T * s1 + T**2 * s2 + self.rest_speed + swing
-            self.turn_columns = _turn_columns(N, system)
-            self.own = self.own + self.turn * self.turned**2
-
-    @property
-    def is_admissible(self) -> bool:
-        """Whether all sizes are such that the slack exceeds the rounding."""
-        axis, square = (
-            self._axis,
-            np.column_stack([self._axis.along, self._axis.across]),
-        )
-        return bool(
-            len(axis.Y) <= _MOST_JOINTS
-            and self.T <= _MOST_T
-            and 2 * self.T * float(np.abs(axis.bow).sum()) <= _MOST_BEND
-            and self.path <= _MOST_PATH
-            and (self.turn is None or _off(axis.here) <= _MOST_OFF)
-            and np.abs(square.T @ square - np.eye(len(square))).max() <= _SQUARE
-        )
-
-    def widths(self) -> tuple[Array, float] | None:
-        """Widths with which the test succeeds, and the bound of |1 - Y F' N|."""
-        loose = max(1 - float(self.still.sum(axis=1).max()), 0.1)
-        widths = 1.3 * self.own / loose + _THINNEST
-        for _ in range(_TRIES):
-            left = self._left(widths)
-            strain = float(left.sum(axis=1).max())
-            if not strain < _CONTRACTS or not self._side(widths) <= _MOST_SIDE:
-                return None
-            needed = (self.own + left @ widths) * _UP
-            if bool((needed < widths).all()):
-                return np.asarray(widths), strain
-            widths = np.maximum(1.2 * needed, widths)
-        return None
-
-    def drift(self, widths: Array, strain: float) -> Array:
-        """Bounds of |z'|."""
-        axis, side = self._axis, self._side(widths)
-        pushed = np.abs(self.bends @ axis.along) + 2 * self.T * np.abs(
-            self.bends @ axis.bow
-        )
-        slope = (
-            self.moving + widths @ pushed + self.rows * self._mixed(side) * self.speed
-        )
-        if self.turn is not None:
-            turning = self.turning + (side + self._mixed(side)) * self.speed
-            slope = slope + self.turn * (self.turned + side) * turning
-        return np.asarray(slope + strain / (1 - strain) * slope.max()) * _UP
-
-    def _left(self, widths: Array) -> Array:
-        """Bounds of the entries of |1 - Y F' N|."""
-        side = self._side(widths)
-        left = self.still + np.tensordot(widths, self.bent, 1)
-        left += np.outer(self.rows * (self.rest + self._mixed(side)), self.columns)
-        if self.turn is not None:
-            left += np.outer(self.turn * (self.turned + side), self.turn_columns)
-        return np.asarray(left)
-
-    def _side(self, widths: Array) -> float:
-        """How far the sides reach, in the measure of `Expansion`."""
-        return self._axis.here.length(np.abs(self._axis.across) @ widths)
-
-    def _mixed(self, side: float) -> float:
-        """Derivatives of order 2 and more in which the sides have a part."""
-        third = ((self.path + side) ** 3 - self.path**3) / 6
-        return self.path * side + side**2 / 2 + third
-
-
-def _rows(Y: Array, here: Expansion) -> Array:
-    """What bounds Y times a derivative of a column of K."""
-    rows = np.sqrt((Y[:, :3] ** 2).sum(axis=1)) * here.sizes[0]
-    if len(Y) > 3:
-        rows += np.sqrt((Y[:, 3:] ** 2).sum(axis=1)) * here.sizes[-1]
-    return np.asarray(rows)
-
-
-def _noise(Y: Array, rows: Array, here: Expansion) -> Array:
-    """More than the rounding of Y times K and its derivatives, by rows."""
-    own = np.abs(Y) @ np.abs(here.slope).sum(axis=1)
-    return np.asarray(NOISE * (1 + rows + own))
-
-
-def _off(here: Expansion) -> float:
-    """How far the hand at most is turned from its goal at c: its sine is less."""
-    return 1.01 * float(np.abs(here.value[3:]).sum() + here.value_error[3:].sum())
-
-
-def _turn_columns(across: Array, system: LegSystem) -> Array:
-    """Bounds of the angular parts of K N."""
-    joints = np.abs(across[:-1]).sum(axis=0)
-    return np.asarray(joints + system.rate * np.abs(across[-1]))
-
-
-def beside(direction: Array) -> Array:
-    """N directions that make a basis with ``direction``, orthonormal to rounding."""
-    u = direction / np.sqrt(direction @ direction)
-    k = int(np.argmax(np.abs(u)))
-    w = u.copy()
-    w[k] += math.copysign(1.0, u[k])
-    mirror = np.eye(len(u)) - np.outer(w, w * (2.0 / (w @ w)))
-    return np.asarray(np.delete(mirror, k, axis=1))
-
-
-def inverse(matrix: Array) -> Array | None:
-    """The inverse, nearly; None where there is none."""
-    try:
-        result = np.linalg.inv(matrix)
-    except np.linalg.LinAlgError:
-        return None
-    return np.asarray(result, np.float64) if np.isfinite(result).all() else None

@@ -13,7 +13,7 @@ from flint import arb, arb_mat, ctx
 from numpy.typing import NDArray
 
 from cuspaudit.robot.library import open_robot
-from cuspaudit.toolpath import tube
+from cuspaudit.toolpath import tube_bounds
 from cuspaudit.toolpath.ball_arm import BITS
 from cuspaudit.toolpath.births import complete_runs
 from cuspaudit.toolpath.expansion import expansion_at
@@ -25,7 +25,9 @@ from cuspaudit.toolpath.strands import follow_path, known_postures
 from cuspaudit.toolpath.trace import trace_path
 from cuspaudit.toolpath.traced_arm import TracedArm, traced_arm
 from cuspaudit.toolpath.traced_path import Trace
-from cuspaudit.toolpath.tube import TubeBounds, axis_at, knot_at, tube_round
+from cuspaudit.toolpath.tube import knot_at, tube_round
+from cuspaudit.toolpath.tube_axis import axis_at
+from cuspaudit.toolpath.tube_bounds import TubeBounds
 from cuspaudit.toolpath.waypoints import Pose, ToolPath
 from tests.toolpath.traced_arms import (
     arm_of_axes,
@@ -175,7 +177,7 @@ def test_without_the_slack_the_bounds_are_wrong(
 ) -> None:
     """The slack is needed: with none, exact numbers exceed what doubles say."""
     axes = [axis_of(*leg(make(scale))) for make, scale in ARMS]
-    monkeypatch.setattr(tube, "NOISE", 0.0)
+    monkeypatch.setattr(tube_bounds, "NOISE", 0.0)
     assert sum(worst(TubeBounds(axis, 1e-9), [0.0]) > 0 for axis in axes) >= 4
 
 

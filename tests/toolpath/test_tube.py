@@ -15,7 +15,8 @@ from cuspaudit.toolpath.joint_pose import pose_of_joints
 from cuspaudit.toolpath.leg_system import LegSystem
 from cuspaudit.toolpath.strand import settled
 from cuspaudit.toolpath.traced_arm import TracedArm, traced_arm
-from cuspaudit.toolpath.tube import Knot, axis_at, beside, knot_at, tube_round
+from cuspaudit.toolpath.tube import Knot, knot_at, tube_round
+from cuspaudit.toolpath.tube_axis import axis_at, beside
 from tests.toolpath.traced_arms import crx, exact, mirror
 
 Array = NDArray[np.float64]
