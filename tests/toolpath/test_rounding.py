@@ -25,8 +25,8 @@ from cuspaudit.toolpath.strands import follow_path, known_postures
 from cuspaudit.toolpath.trace import trace_path
 from cuspaudit.toolpath.traced_arm import TracedArm, traced_arm
 from cuspaudit.toolpath.traced_path import Trace
-from cuspaudit.toolpath.tube import knot_at, tube_round
-from cuspaudit.toolpath.tube_axis import axis_at
+from cuspaudit.toolpath.tube import Tube, knot_at, tube_round
+from cuspaudit.toolpath.tube_axis import Axis, axis_at
 from cuspaudit.toolpath.tube_bounds import TubeBounds
 from cuspaudit.toolpath.waypoints import Pose, ToolPath
 from tests.toolpath.traced_arms import (
@@ -150,7 +150,7 @@ def worst(bounds: TubeBounds, places: list[float]) -> float:
     return max(found)
 
 
-def axis_of(system: LegSystem, y: Array) -> tube.Axis:
+def axis_of(system: LegSystem, y: Array) -> Axis:
     """An axis a little further along the curve."""
     start = axis_at(system, y, np.eye(len(y))[-1])
     assert start is not None
@@ -234,7 +234,7 @@ def exact_zero(system: LegSystem, at: Array) -> list[arb]:
         return y
 
 
-def inside(system: LegSystem, one: tube.Tube, at: Array) -> bool:
+def inside(system: LegSystem, one: Tube, at: Array) -> bool:
     """Whether the curve at the s of a point is in the tube, in exact numbers."""
     y = exact_zero(system, at)
     with ctx.workprec(FINE):
