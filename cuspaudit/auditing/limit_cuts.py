@@ -3,8 +3,9 @@
 One joint at a time, its range is scaled about its middle. By monotony the verdict
 changes once on the way from the full range to nothing, so bisection brackets the place:
 the arm is cuspidal, proved, at ``cuspidal_from`` and at every larger scale, and
-noncuspidal, proved, at ``noncuspidal_to`` and at every smaller one. For six joints only
-cusps inside the scaled range prove something, so the second is left open.
+noncuspidal, proved, at ``noncuspidal_to`` and at every smaller one. For six joints a
+cusp inside the scaled range proves the first; the three joints before a wrist, or boxes
+told apart, prove the second, which is left open where they do not.
 """
 
 from __future__ import annotations
@@ -16,18 +17,22 @@ from typing import Any
 
 from cuspaudit.auditing.cusp_witness import find_cusps
 from cuspaudit.auditing.joint_limits import has_limits
+from cuspaudit.auditing.pairs_apart import pairs_apart
 from cuspaudit.auditing.record import Audit
 from cuspaudit.auditing.search.cusps import moving_joints
 from cuspaudit.auditing.three_in_box import decide_three
+from cuspaudit.auditing.within_limits import WRISTS
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import RetryableError, UnableError
 from cuspaudit.kinematics.exact_model import ExactModel
+from cuspaudit.kinematics.theorems.registry import reduction_of
 from cuspaudit.robot.chain import Angle, Chain, Joint
 from cuspaudit.runtime.clock import Clock
 
 __all__ = ["Cut", "cuts_of", "limit_cuts"]
 
-_STEPS = {3: 5, 6: 2}
+_STEPS = {3: 5, 6: 4}
+_LOOKS = 40
 _HALF = Fraction(1, 2)
 
 
@@ -114,8 +119,18 @@ def _bracket(
 def _verdict(model: ExactModel, seed: int, clock: Clock) -> Verdict:
     if model.chain.task == "position":
         return decide_three(model, clock).verdict
-    cusp = next(find_cusps(model.chain, seed), None)
-    return Verdict.UNDECIDED if cusp is None else Verdict.CUSPIDAL
+    if next(find_cusps(model.chain, seed), None) is not None:
+        return Verdict.CUSPIDAL
+    proved = _wrist_is_noncuspidal(model, clock) or pairs_apart(model, _LOOKS)
+    return Verdict.NONCUSPIDAL if proved else Verdict.UNDECIDED
+
+
+def _wrist_is_noncuspidal(model: ExactModel, clock: Clock) -> bool:
+    """Whether the three joints before a wrist are noncuspidal within their limits."""
+    reduction = reduction_of(model)
+    if reduction is None or reduction.regional is None or reduction.kind not in WRISTS:
+        return False
+    return decide_three(reduction.regional, clock).verdict is Verdict.NONCUSPIDAL
 
 
 def _scaled(model: ExactModel, k: int, scale: Fraction) -> ExactModel:

@@ -50,10 +50,10 @@ from cuspaudit.errors import RetryableError, UnableError
 from cuspaudit.robot.chain import Chain
 from cuspaudit.runtime.clock import Clock
 
-__all__ = ["within_limits"]
+__all__ = ["WRISTS", "within_limits"]
 
 _EXACT = ("FLINT resultants", "FLINT root isolation", "ball arithmetic")
-_WRISTS = ("spherical wrist", "spherical shoulder")
+WRISTS = ("spherical wrist", "spherical shoulder")
 _CUSPS = 2
 _TRIES = 12
 
@@ -230,7 +230,7 @@ def _exactly(
     reduction = found.reduction
     if reduction is None or reduction.regional is None:
         return None
-    if reduction.kind not in _WRISTS:
+    if reduction.kind not in WRISTS:
         return None
     box = decide_three(reduction.regional, clock)
     if box.verdict is Verdict.NONCUSPIDAL:

@@ -7,7 +7,7 @@ from fractions import Fraction
 
 import pytest
 from joint_boxes import within
-from short_tables import arm, degrees
+from short_tables import arm, degrees, with_wrist
 
 from cuspaudit.auditing.audit import audit
 from cuspaudit.auditing.limit_cuts import cuts_of, limit_cuts
@@ -48,3 +48,15 @@ def test_only_cuspidal_arms_are_cut() -> None:
     small = Robot("arm", "arm.yaml", limited(-20, 20))
     assert cuts_of(audit(small)) is None
     assert cuts_of(audit(Robot("arm", "arm.yaml", ISSAC))) is None
+
+
+@pytest.mark.slow
+def test_a_wrist_proves_the_lower_end() -> None:
+    """Six joints: a cusp from above, the three joints before the wrist from below."""
+    six = with_wrist(ISSAC)
+    joints = list(six.joints)
+    joints[1] = replace(joints[1], limits=(degrees(-150), degrees(170)))
+    [cut] = limit_cuts(exact_model(six.with_joints(joints)), 0, Clock())
+    assert cut.joint == "joint_2"
+    assert cut.noncuspidal_to is not None
+    assert 0 < cut.noncuspidal_to < cut.cuspidal_from < 1
