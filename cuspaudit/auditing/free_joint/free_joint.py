@@ -135,6 +135,7 @@ def _stretches(
         if part.verdict is not Verdict.UNDECIDED or part.span.degrees <= EXCEPTIONAL:
             yield part
             continue
+        walk.reason = part.why
         with clock.stage("witnesses"):
             yield from (search.remarked(each) for each in walk.over(part.span))
 

@@ -23,7 +23,10 @@ def by_structure(held: LockedArm, domain: Span) -> tuple[Stretch, ...]:
 
     Where the exact model only comes near the numbers, nothing is proved.
     """
-    found = structures(held) if held.arm.is_exact else ()
+    if not held.arm.is_exact:
+        why = "the exact model only comes near the numbers, so no structure is proved"
+        return (Stretch(domain, Verdict.UNDECIDED, "none", why),)
+    found = structures(held)
     if not found:
         return (_open(domain),)
     return tuple(

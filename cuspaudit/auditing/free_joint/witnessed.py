@@ -48,6 +48,7 @@ class Walk:
         find: a search for witnesses.
         limits: for paths within joint limits; None without.
         tell: called with what is under way.
+        reason: why no structure decides where the walk goes.
         searches: how many searches were made.
         proofs: how many certificates were tried.
     """
@@ -56,6 +57,7 @@ class Walk:
     find: Finder
     limits: Limits | None = None
     tell: Callable[[str], None] = lambda step: None
+    reason: str = "no structure decides here"
     searches: int = 0
     proofs: int = 0
     _last: LockWitness | None = field(default=None)
@@ -78,7 +80,7 @@ class Walk:
             why = (
                 "a witness was met, and no proof for an interval about it"
                 if met
-                else "no structure decides here, and no witness was met"
+                else f"{self.reason}, and no witness was met"
             )
             yield Stretch(span, Verdict.UNDECIDED, "none", why)
         else:
