@@ -210,8 +210,10 @@ def model_rows(audit: Audit) -> list[tuple[str, str, bool]]:
 
 
 def posture_rows(audit: Audit, scene: Scene | None) -> list[PostureRow]:
-    """The witness's postures, or those drawn, joint by joint."""
-    postures: Sequence[Sequence[float]] = part(audit, "witness").get("postures") or []
+    """The postures of the path that is shown, or those drawn, joint by joint."""
+    inside = part(part(audit, "limits"), "witness")
+    shown = inside or part(audit, "witness")
+    postures: Sequence[Sequence[float]] = shown.get("postures") or []
     if not postures and scene is not None and not scene.shown.is_path:
         postures = scene.shown.postures.tolist()
     if not postures:

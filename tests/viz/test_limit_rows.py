@@ -6,6 +6,7 @@ import math
 from typing import Any
 
 from cuspaudit.viz.limit_rows import cut_rows, limit_rows, limit_words
+from cuspaudit.viz.page_rows import posture_rows
 
 PATH = [[0.0, 0.5], [1.0, -0.25]]
 
@@ -73,3 +74,16 @@ def test_room_is_the_distance_to_the_nearer_limit() -> None:
         *("–", "–", "0.5"),
         "",
     )
+
+
+def test_the_postures_are_those_of_the_path_that_is_shown() -> None:
+    """Of the path inside the limits where there is one, else of the one without."""
+    found = audit("cuspidal", "cuspidal", witness=True)
+    found["witness"]["postures"] = [[5.0, 5.0], [6.0, 6.0]]
+    found["limits"]["witness"]["postures"] = [[0.0, 0.5], [1.0, -0.25]]
+    assert [row.values for row in posture_rows(found, None)] == [
+        ("0", "1"),
+        ("0.5", "−0.25"),
+    ]
+    found["limits"]["witness"] = None
+    assert posture_rows(found, None)[0].values == ("5", "6")
