@@ -14,6 +14,7 @@ from flint import arb
 from numpy.typing import NDArray
 
 from cuspaudit.errors import UnableError
+from cuspaudit.toolpath.known import Known
 from cuspaudit.toolpath.leg_system import LegSystem
 from cuspaudit.toolpath.limits import (
     MOST_WINDINGS,
@@ -23,7 +24,7 @@ from cuspaudit.toolpath.limits import (
     windings,
 )
 from cuspaudit.toolpath.runs import FreeRun
-from cuspaudit.toolpath.strands import Followed, Known, turns_between
+from cuspaudit.toolpath.strands import Followed, turns_between
 from cuspaudit.toolpath.traced_arm import TracedArm
 from cuspaudit.toolpath.traced_path import End, Run
 

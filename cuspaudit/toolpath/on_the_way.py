@@ -21,10 +21,11 @@ from numpy.typing import NDArray
 from cuspaudit.errors import UnableError
 from cuspaudit.kinematics.postures.numeric import PostureSolver
 from cuspaudit.runtime.clock import time_is_up
+from cuspaudit.toolpath.known import known_posture
 from cuspaudit.toolpath.leg_system import LegSystem
 from cuspaudit.toolpath.runs import loop_runs
 from cuspaudit.toolpath.strand import Link, looped
-from cuspaudit.toolpath.strands import Followed, has_run, known_posture, sort_links
+from cuspaudit.toolpath.strands import Followed, has_run, sort_links
 from cuspaudit.toolpath.traced_arm import TracedArm
 
 __all__ = ["look_on_the_way"]

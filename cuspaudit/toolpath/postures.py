@@ -13,10 +13,11 @@ from cuspaudit.runtime.clock import time_limit
 from cuspaudit.toolpath.aspect_labels import aspect_labels
 from cuspaudit.toolpath.ball_arm import BITS
 from cuspaudit.toolpath.joint_pose import JointValue, float_values
+from cuspaudit.toolpath.known import Known
 from cuspaudit.toolpath.limits import joint_ranges, windings
 from cuspaudit.toolpath.margins import determinant, proved_distance, singular_distance
 from cuspaudit.toolpath.starts import solve_pose
-from cuspaudit.toolpath.strands import Known, known_postures
+from cuspaudit.toolpath.strands import known_postures
 from cuspaudit.toolpath.traced_arm import TracedArm
 from cuspaudit.toolpath.waypoints import Pose
 

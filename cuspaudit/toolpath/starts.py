@@ -23,20 +23,25 @@ from cuspaudit.errors import NotZeroDimensionalError, RetryableError, UnableErro
 from cuspaudit.kinematics.determinant import jacobian_determinant
 from cuspaudit.kinematics.exact_model import ExactModel
 from cuspaudit.kinematics.polynomial_map import place
+from cuspaudit.kinematics.postures.ball_count import posture_bound
 from cuspaudit.kinematics.postures.exact import (
     exact_postures_of,
     posture_sign,
     real_postures,
 )
 from cuspaudit.kinematics.postures.numeric import PostureSolver
-from cuspaudit.runtime.clock import check_time
+from cuspaudit.runtime.clock import check_time, time_is_up
+from cuspaudit.toolpath.known import known_posture
 from cuspaudit.toolpath.leg_system import LegSystem
 from cuspaudit.toolpath.strand import settled
 from cuspaudit.toolpath.traced_arm import TracedArm
+from cuspaudit.toolpath.tube import Knot
 from cuspaudit.toolpath.waypoints import Pose
 
 __all__ = ["Solved", "SolvedPosture", "solve_pose"]
 
+_COUNTED = "Raghavan-Roth resultant in balls, with as many real roots as postures"
+_APART = 1e-9
 _BITS = 96
 _STARTS, _SINGULAR = 64, 1e8
 _STEPS, _CAUTIOUS = 30, 0.4
@@ -47,7 +52,8 @@ class SolvedPosture:
     """A posture of the exact model.
 
     Attributes:
-        values: joint values, rad in (-pi, pi] or the chain's unit.
+        values: joint values, rad in (-pi, pi] or the chain's unit; or the middle of a
+            box that holds exactly one posture.
         sign: of det J, 0 proved where it vanishes; None where it is not known.
     """
 
@@ -80,6 +86,9 @@ def solve_pose(arm: TracedArm, pose: Pose, seed: int = 0) -> Solved:
     Where the exact solvers are unable, those that floating point finds, for a six-joint
     arm, and none for another; then the list is not complete.
     """
+    counted = None if arm.model.is_exact else _counted(arm, pose)
+    if counted is not None:
+        return counted
     try:
         found = _exact(arm, pose, seed)
     except NotZeroDimensionalError:
@@ -96,6 +105,38 @@ def solve_pose(arm: TracedArm, pose: Pose, seed: int = 0) -> Solved:
     ]
     why = "" if arm.model.is_exact else "the model is within 1e-12 of the numbers"
     return Solved(tuple(postures), arm.model.is_exact, False, found.grounds, why)
+
+
+def _counted(arm: TracedArm, pose: Pose) -> Solved | None:
+    """As many postures as a count in balls allows, each proved; None where they differ.
+
+    For arms whose numbers no exact model has, such as twists of 55 degrees.
+    """
+    if len(arm.turning) != 6 or not arm.turning.all() or time_is_up():
+        return None
+    system = arm.system(pose, pose)
+    knots: list[Knot] = []
+    for near in _numeric(arm, pose):
+        known = known_posture(arm, system, [float(v) for v in near.values], 0.0)
+        if known.knot is None:
+            return None
+        if all(_are_apart(known.knot, other) for other in knots):
+            knots.append(known.knot)
+    if len(knots) != posture_bound(arm.chain, arm.exact_pose(pose)):
+        return None
+    postures = []
+    for knot in knots:
+        determinant = arm.determinant(knot.balls()[:-1])
+        sign = int(determinant > 0) - int(determinant < 0) or None
+        # the middle of a box that holds one posture
+        postures.append(SolvedPosture(tuple(arb(x) for x in knot.at[:-1]), sign))
+    return Solved(tuple(postures), True, False, (_COUNTED, "ball arithmetic"))
+
+
+def _are_apart(a: Knot, b: Knot) -> bool:
+    """Whether two boxes hold no posture in common, whole turns aside."""
+    gap = np.abs(np.remainder(a.at[:-1] - b.at[:-1] + np.pi, 2 * np.pi) - np.pi)
+    return bool((gap > _APART + a.reach[:-1] + b.reach[:-1]).any())
 
 
 def _exact(arm: TracedArm, pose: Pose, seed: int) -> ZeroDimensionalParametrization:

@@ -13,39 +13,23 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
+from cuspaudit.toolpath.known import Known, known_posture
 from cuspaudit.toolpath.leg_system import LegSystem
 from cuspaudit.toolpath.runs import FreeRun, runs_of
 from cuspaudit.toolpath.starts import Solved
-from cuspaudit.toolpath.strand import Link, followed, settled, unwound
+from cuspaudit.toolpath.strand import Link, followed, unwound
 from cuspaudit.toolpath.traced_arm import TracedArm
-from cuspaudit.toolpath.tube import Knot, knot_at
+from cuspaudit.toolpath.tube import Knot
 
 __all__ = [
     "Followed",
-    "Known",
     "follow_path",
     "has_run",
-    "known_posture",
     "known_postures",
     "sort_links",
 ]
 
 Array = NDArray[np.float64]
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Known:
-    """A posture of the first or last pose.
-
-    Attributes:
-        knot: round it; None where it is singular, or too near to tell.
-        values: coordinates, nearly; angles in (-pi, pi].
-        sign: of det J, proved; 0 where it is singular, None where neither is proved.
-    """
-
-    knot: Knot | None
-    values: Array
-    sign: int | None
 
 
 @dataclass(eq=False)
@@ -87,31 +71,6 @@ def known_postures(
                 known = Known(None, known.values, posture.sign)
         result.append(known)
     return result
-
-
-def known_posture(
-    arm: TracedArm,
-    system: LegSystem,
-    values: Sequence[float],
-    s: float,
-    sign: int | None = None,
-) -> Known:
-    """The posture near joint ``values``, settled and proved where it is regular."""
-    near = np.array(values, dtype=np.float64) / arm.scales
-    if sign == 0:
-        return Known(None, near, 0)
-    row = np.zeros(len(near) + 1)
-    row[-1] = 1.0
-    y = settled(system, np.append(near, s), row)
-    if y is None or np.abs(y[:-1] - near).max() > 1e-3:
-        return Known(None, near, sign)
-    y[-1] = s
-    knot = knot_at(system, y, np.eye(len(y))[:, :-1])
-    if knot is None or not system.is_genuine(knot.balls()):
-        return Known(None, y[:-1], sign)
-    determinant = arm.determinant(knot.balls()[:-1])
-    sign = int(determinant > 0) - int(determinant < 0) or sign
-    return Known(knot, y[:-1], sign)
 
 
 def follow_path(

@@ -18,14 +18,13 @@ from cuspaudit.toolpath.ball_arm import BITS
 from cuspaudit.toolpath.births import complete_runs
 from cuspaudit.toolpath.bounded_runs import bounded_runs
 from cuspaudit.toolpath.conservation import check_conservation
+from cuspaudit.toolpath.known import Known, known_posture
 from cuspaudit.toolpath.leg_system import LegSystem
 from cuspaudit.toolpath.limits import Range, joint_ranges
 from cuspaudit.toolpath.starts import Solved, solve_pose
 from cuspaudit.toolpath.strands import (
     Followed,
-    Known,
     follow_path,
-    known_posture,
     known_postures,
     turns_between,
 )

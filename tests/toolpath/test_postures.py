@@ -142,3 +142,21 @@ def test_a_regular_joint_vector_is_a_posture_of_its_pose() -> None:
     found = list_postures(arm, asked_pose(arm, joints, None, None, None))
     held = held_to(found, joint_vector(joints, arm.robot_chain, "--joints"))
     assert held is found and held.complete
+
+
+@pytest.mark.parametrize("name", ["kinova-jaco-gen2", "raghavan-roth"])
+def test_an_arm_without_an_exact_model_has_a_complete_list(name: str) -> None:
+    """Its postures are as many as a count in balls allows, each proved."""
+    arm = traced_arm(snap(open_robot(name).chain)[0])
+    assert not arm.model.is_exact or name != "kinova-jaco-gen2"
+    found = list_postures(
+        arm, asked_pose(arm, "0.3,-1,1.2,0.3,0.4,0.2", None, None, None)
+    )
+    assert found.complete and found.why == ""
+    assert all(posture.proved and posture.sign for posture in found.postures)
+    signs = [posture.sign for posture in found.postures]
+    assert signs.count(1) == signs.count(-1)
+    for posture in found.postures:
+        tip = frames(arm.robot_chain, posture.values)[-1]
+        target = frames(arm.robot_chain, [0.3, -1, 1.2, 0.3, 0.4, 0.2])[-1]
+        assert np.abs(tip - target).max() < 1e-9 * (1 + np.abs(target).max())
