@@ -6,10 +6,11 @@ import json
 from contextlib import suppress
 from dataclasses import asdict
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
 
+from cuspaudit.cli.verify_free import SCHEMA, verify_free
 from cuspaudit.errors import InvalidCertificateError
 
 __all__ = ["verify"]
@@ -18,7 +19,9 @@ _MOST_BYTES = 20_000_000
 
 
 def verify(
-    certificate: Annotated[Path, typer.Argument(help="A certificate file.")],
+    certificate: Annotated[
+        Path, typer.Argument(help="A certificate file, or the JSON of `audit --free`.")
+    ],
     as_json: Annotated[
         bool, typer.Option("--json", help="Print the result as JSON.")
     ] = False,
@@ -30,7 +33,11 @@ def verify(
     try:
         claim = read_certificate(certificate)
     except InvalidCertificateError:
-        _check_kind(certificate)
+        record = _record(certificate)
+        if record is not None and record.get("schema") == SCHEMA:
+            verify_free(record, certificate, as_json)
+        if record is not None:
+            _check_kind(record, certificate)
         raise
     result = prove(claim)
     if as_json:
@@ -41,7 +48,17 @@ def verify(
     raise typer.Exit(0 if result.accepted else 1)
 
 
-def _check_kind(file: Path) -> None:
+def _record(file: Path) -> dict[str, Any] | None:
+    """The JSON object in a file, None where it has none."""
+    with suppress(OSError, ValueError):
+        if file.stat().st_size < _MOST_BYTES:
+            entries = json.loads(file.read_text("utf-8"))
+            if isinstance(entries, dict):
+                return entries
+    return None
+
+
+def _check_kind(entries: dict[str, Any], file: Path) -> None:
     """Refuse an audit or a record by the name of the command that reads it.
 
     Raises:
@@ -50,8 +67,4 @@ def _check_kind(file: Path) -> None:
     from cuspaudit.robot.other_files import check_kind
     from cuspaudit.robot.place import Place
 
-    with suppress(OSError, ValueError):
-        if file.stat().st_size < _MOST_BYTES:
-            entries = json.loads(file.read_text("utf-8"))
-            if isinstance(entries, dict):
-                check_kind(entries, "a certificate", Place(str(file)))
+    check_kind(entries, "a certificate", Place(str(file)))

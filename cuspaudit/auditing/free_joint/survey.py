@@ -33,6 +33,7 @@ from cuspaudit.robot.chain import Angle, Chain
 from cuspaudit.robot.frames import angle_value
 from cuspaudit.robot.robot import Robot
 from cuspaudit.robot.snapping import snap
+from cuspaudit.robot.task import lock
 from cuspaudit.robot.virtual_joint import with_virtual_joint
 from cuspaudit.runtime.clock import Clock, time_limit
 
@@ -49,7 +50,8 @@ class LockChoice:
     Attributes:
         joint: its name.
         verdict: at ``value``; of all values where that is None.
-        value: of the lock, rad; None where a structure decides at (nearly) all values.
+        value: of the lock, rad or a length; None where a structure decides at all
+            values but single ones.
         degrees: of the circle that a structure makes noncuspidal.
         why: one sentence.
     """
@@ -71,11 +73,26 @@ def survey(robot: Robot, options: Options | None = None) -> Iterator[LockChoice]
     options = options or Options()
     clock = Clock(options.timeout, options.progress)
     chain = snap(robot.chain, options.snap)[0]
-    for name in lockable(robot):
-        number = [joint.name for joint in chain.joints].index(name) + 1
-        clock.tell(f"locks: {name}")
+    if not lockable(robot):
+        return
+    for number, joint in enumerate(chain.joints, 1):
+        clock.tell(f"locks: {joint.name}")
+        choose = _choice if joint.kind == "revolute" else _slide
         with time_limit(clock.left):
-            yield _choice(chain, number, options.seed, clock)
+            yield choose(chain, number, options.seed, clock)
+
+
+def _slide(chain: Chain, number: int, seed: int, clock: Clock) -> LockChoice:
+    """What the arm is with a slide locked at 0."""
+    name = chain.joints[number - 1].name
+    held = with_virtual_joint(lock(chain, {name: Fraction(0)}))
+    try:
+        found = decide(Case(exact_model(held), seed), clock)
+    except (AssumptionError, UnableError, TimeLimitError) as error:
+        return LockChoice(name, Verdict.UNDECIDED, 0.0, 0.0, str(error))
+    verdict = found.verdict if is_carried(found) else Verdict.UNDECIDED
+    said = f"a slide, locked at 0: {found.why}"
+    return LockChoice(name, verdict, 0.0, 0.0, said)
 
 
 def _choice(chain: Chain, number: int, seed: int, clock: Clock) -> LockChoice:
