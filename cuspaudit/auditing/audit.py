@@ -85,10 +85,10 @@ def audit(robot: Robot, options: Options | None = None) -> Audit:
         is_late = clock.left == 0.0
         margin = margin_of(shown.certificate) if shown and not is_late else None
     over, allowed = None, options.tolerance or robot.tolerance
-    if allowed is not None:
+    if allowed is not None or robot.loose:
         with clock.stage("tolerance"):
-            seed, path = options.seed, shown or None
-            over = _over_tolerance(allowed, found, written, path, seed, clock)
+            path = shown or None
+            over = _over_tolerance(robot, allowed, found, path, options.seed, clock)
     with clock.stage("crosscheck"):
         clock.step("crosscheck", always=True)
         check = _check(robot, found, literal.witness, options)
@@ -122,18 +122,21 @@ def _within_limits(
 
 
 def _over_tolerance(
-    allowed: AxisTolerance,
+    robot: Robot,
+    allowed: AxisTolerance | None,
     found: Answer,
-    literal: Chain,
     witness: Witness | None,
     seed: int,
     clock: Clock,
 ) -> OverTolerance:
     """The verdict over a tolerance; an audit without one loads nothing for it."""
+    from cuspaudit.auditing.tolerance.box import box_of
     from cuspaudit.auditing.tolerance.over_tolerance import over_tolerance
 
+    literal = with_virtual_joint(robot.chain)
+    box = box_of(literal, allowed, robot.loose)
     with time_limit(clock.left):
-        return over_tolerance(allowed, found, literal, witness, seed, clock)
+        return over_tolerance(box, found, literal, witness, seed, clock)
 
 
 def _in_time(clock: Clock, work: Callable[[], Found], instead: Found) -> Found:

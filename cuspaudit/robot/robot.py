@@ -8,7 +8,7 @@ from pathlib import Path
 
 from cuspaudit.robot.chain import Chain
 from cuspaudit.robot.place import Place, quoted
-from cuspaudit.robot.tolerance import AxisTolerance
+from cuspaudit.robot.tolerance import AxisTolerance, LooseNumber
 
 __all__ = ["COUNTS", "VERDICTS", "WITHIN", "Reading", "Robot", "parse_expectation"]
 
@@ -48,6 +48,7 @@ class Robot:
             where there is none.
         beside: the same chain to other links of the body its tip is on.
         tolerance: how far its axes may be off as built; None where the file is silent.
+        loose: numbers of its table that are known within some bound only.
     """
 
     name: str
@@ -62,6 +63,7 @@ class Robot:
     other_convention: Reading | None = None
     beside: tuple[Chain, ...] = ()
     tolerance: AxisTolerance | None = None
+    loose: tuple[LooseNumber, ...] = ()
 
     def __repr__(self) -> str:
         """The robot in one short line."""

@@ -5,6 +5,8 @@
     tolerance: {lengths: 1e-4, angles: 1e-4}      # in the unit of length, and rad
 
 Each link carries two axes, or an axis and the tip; each of them may be off by as much.
+In a table of Denavit and Hartenberg single numbers may be loose as well,
+``a: 0.71 +- 1e-4`` or ``alpha: pi/2 +- 1e-4 rad``: then every value of them is meant.
 """
 
 from __future__ import annotations
@@ -13,17 +15,27 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from pathlib import Path
+from typing import Literal
 
+from cuspaudit.robot.chain import Vector
 from cuspaudit.robot.entries import check_known
-from cuspaudit.robot.numbers import parse_angle, parse_length
+from cuspaudit.robot.numbers import AngleUnit, parse_angle, parse_length
 from cuspaudit.robot.place import Place, quoted
 from cuspaudit.robot.tables import read_mapping
 
-__all__ = ["AxisTolerance", "parse_tolerance", "tolerance_from_file"]
+__all__ = [
+    "AxisTolerance",
+    "LooseNumber",
+    "parse_tolerance",
+    "parse_within",
+    "plus_minus",
+    "tolerance_from_file",
+]
 
 _KEYS = ("lengths", "angles")
 _EXPECTED = "write tolerance: {lengths: 1e-4, angles: 1e-4}"
 _MORE_THAN_PI = Fraction(355, 113)
+_SIGNS = ("+-", "+/-", "\N{PLUS-MINUS SIGN}")
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,8 +67,7 @@ def parse_tolerance(value: object, place: Place) -> AxisTolerance:
         if not isinstance(value.get(key), str):
             raise place.at(key).error("no value", f"{_EXPECTED}, 0 for none")
     lengths = parse_length(value["lengths"], place.at("lengths"))
-    angle = parse_angle(value["angles"], place.at("angles"), "rad")
-    angles = angle.radians + _MORE_THAN_PI * angle.half_turns
+    angles = _radians(value["angles"], "rad", place.at("angles"))
     for key, number in (("lengths", lengths), ("angles", angles)):
         if number < 0:
             found = f"{quoted(value[key])} is negative"
@@ -64,6 +75,56 @@ def parse_tolerance(value: object, place: Place) -> AxisTolerance:
     if not lengths and not angles:
         raise place.error("both are 0", "leave the tolerance out, or widen one")
     return AxisTolerance(lengths, angles)
+
+
+@dataclass(frozen=True, slots=True)
+class LooseNumber:
+    """A number of a table that is known within ``within`` only.
+
+    Attributes:
+        where: its row and column, as "joint_2 a".
+        kind: whether its motion is a turn about ``axis`` or a slide along it.
+        axis: x or z.
+        within: rad, or the robot's unit of length; more than 0.
+    """
+
+    where: str
+    kind: Literal["turn", "slide"]
+    axis: Vector
+    within: Fraction
+
+
+def plus_minus(text: str) -> tuple[str, str | None]:
+    """The number of a cell without its tolerance, and the tolerance if it has one.
+
+    >>> plus_minus("0.71 +- 1e-4"), plus_minus("pi/2")
+    (('0.71', '1e-4'), ('pi/2', None))
+    """
+    for sign in _SIGNS:
+        number, found, radius = text.partition(sign)
+        if found:
+            return number.strip(), radius.strip()
+    return text, None
+
+
+def parse_within(
+    text: str, is_angle: bool, unit: AngleUnit | None, place: Place
+) -> Fraction:
+    """What stands after +-: a length, or an angle, rounded up, in rad.
+
+    Raises:
+        InvalidRobotError: it is no number, not positive, or an angle without a unit.
+    """
+    within = _radians(text, unit, place) if is_angle else parse_length(text, place)
+    if within <= 0:
+        found = f"{quoted(text)} after +-"
+        raise place.error(found, "write a positive number, or leave it out")
+    return within
+
+
+def _radians(text: str, unit: AngleUnit | None, place: Place) -> Fraction:
+    angle = parse_angle(text, place, unit)
+    return angle.radians + _MORE_THAN_PI * angle.half_turns
 
 
 def tolerance_from_file(file: str) -> AxisTolerance:

@@ -17,17 +17,22 @@ def tolerance_words(entry: Mapping[str, Any] | None, unit: str) -> str | None:
     """
     if not entry:
         return None
-    said = [f"{entry.get('verdict')} within {_box(entry, unit)}: {entry.get('why')}"]
-    if entry.get("largest"):
-        said.append(f"proved up to {_box(entry['largest'], unit)}")
-    if entry.get("fails"):
-        said.append(f"this proof fails at {_box(entry['fails'], unit)}")
+    numbers = entry.get("numbers")
+    about = [_box(entry, unit)] if entry["lengths"] or entry["angles"] else []
+    if numbers:
+        about.append(", ".join(f"{n['where']} +- {n['within']:.3g}" for n in numbers))
+    said = [f"{entry.get('verdict')} within {', '.join(about)}: {entry.get('why')}"]
+    for key, words in (("largest", "proved up to"), ("fails", "this proof fails at")):
+        if entry.get(key):
+            box = entry[key]
+            times = f"{box['factor']:.3g} times that"
+            said.append(f"{words} {times if numbers else _box(box, unit)}")
     worst = entry.get("sensitive")
     if worst:
         along = "about" if worst["kind"] == "turn" else "along"
         off = "rad" if worst["kind"] == "turn" else unit
         said.append(
-            f"most sensitive: a {worst['kind']} of axis {worst['joint']} {along} "
+            f"most sensitive: a {worst['kind']} of {worst['where']} {along} "
             f"{worst['direction']}, alone proved up to {worst['largest']:.3g} {off}"
         )
     return "; ".join(said)

@@ -17,11 +17,12 @@ from numpy.typing import NDArray
 from cuspaudit.auditing.cusp_witness import find_cusps
 from cuspaudit.auditing.deciders.by_search import search_witness
 from cuspaudit.auditing.search.around_cusp import paths_around
+from cuspaudit.auditing.tolerance.box import Box
 from cuspaudit.auditing.witness import certified
 from cuspaudit.errors import RetryableError, UnableError
 from cuspaudit.robot.chain import Angle, Chain, Motion, Rotation, Translation
 from cuspaudit.robot.frames import jacobian
-from cuspaudit.robot.tolerance import AxisTolerance
+from cuspaudit.robot.tolerance import LooseNumber
 from cuspaudit.runtime.clock import Clock, check_time
 
 __all__ = ["NearbyArms", "built_arm", "nearby_arms"]
@@ -54,7 +55,7 @@ class NearbyArms:
 
 
 def nearby_arms(
-    chain: Chain, box: AxisTolerance, seed: int, clock: Clock, count: int = _ARMS
+    chain: Chain, box: Box, seed: int, clock: Clock, count: int = _ARMS
 ) -> NearbyArms:
     """Look at ``count`` arms at the edge of the box, or at fewer when time is up."""
     rng = np.random.default_rng(seed)
@@ -72,16 +73,31 @@ def nearby_arms(
     return NearbyArms(seen, len(met), max(met, default=None), seed)
 
 
-def built_arm(chain: Chain, box: AxisTolerance, rng: np.random.Generator) -> Chain:
-    """An arm at the edge of the box, exactly."""
+def built_arm(chain: Chain, box: Box, rng: np.random.Generator) -> Chain:
+    """An arm at the edge of the box, exactly: each loose number at one of its ends."""
+    links = [list(joint.before) for joint in chain.joints] + [list(chain.tool)]
+    for placed in sorted(box.numbers, key=lambda each: -each.after):
+        links[placed.link].insert(placed.after + 1, _end(placed.number, rng))
+    if box.axes is not None:
+        links = [[*_off(box, rng), *link, *_off(box, rng)] for link in links]
+    *before, tool = map(tuple, links)
     joints = tuple(
-        replace(joint, before=(*_off(box, rng), *joint.before, *_off(box, rng)))
-        for joint in chain.joints
+        replace(joint, before=motions)
+        for joint, motions in zip(chain.joints, before, strict=True)
     )
-    return replace(chain, joints=joints, tool=(*chain.tool, *_off(box, rng)))
+    return replace(chain, joints=joints, tool=tool)
 
 
-def _off(box: AxisTolerance, rng: np.random.Generator) -> tuple[Motion, ...]:
+def _end(number: LooseNumber, rng: np.random.Generator) -> Motion:
+    """The motion by one end of a loose number."""
+    way = number.within * (1 if rng.random() < 0.5 else -1)
+    if number.kind == "turn":
+        return Rotation(number.axis, Angle(radians=way))
+    x, y, z = number.axis
+    return Translation((x * way, y * way, z * way))
+
+
+def _off(box: Box, rng: np.random.Generator) -> tuple[Motion, ...]:
     """A play of full length and full angle."""
     v, w = (
         tuple(Fraction(round(x, 9)) for x in (row / np.linalg.norm(row)).tolist())

@@ -13,6 +13,7 @@ All is about the numbers of the file, not the snapped ones.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
@@ -21,7 +22,7 @@ from typing import Any
 from cuspaudit.auditing.answer import Answer
 from cuspaudit.auditing.pairs_certificate import pairs_certificate
 from cuspaudit.auditing.structure_certificate import structure_certificate
-from cuspaudit.auditing.tolerance.box import LargestBox, enlarged, largest_box, over
+from cuspaudit.auditing.tolerance.box import Box, LargestBox, largest_box, over
 from cuspaudit.auditing.tolerance.nearby_arms import NearbyArms, nearby_arms
 from cuspaudit.auditing.tolerance.sensitive_axis import SensitiveAxis, sensitive_axis
 from cuspaudit.auditing.tolerance.witnesses import paths_with_room
@@ -48,21 +49,22 @@ class OverTolerance:
         box: as asked for.
         verdict: for every arm of the box.
         why: one sentence.
-        proved: the largest box that a certificate is proved for; None for none.
-        fails: the smallest larger one for which this proof fails.
-        certificate: for the box asked for, where it is proved; else for ``proved``.
+        proved: the largest box that a certificate is proved for, and the smallest for
+            which this proof fails; None where it is proved for none.
+        certificate: for the box asked for, where it is proved; else for the largest.
         sensitive: the axis and the motion of it that the proof stands least of.
         sampled: arms of the box; None where none were built.
+        level: whether ``proved`` is about boxes without tilts.
     """
 
-    box: AxisTolerance
+    box: Box
     verdict: Verdict
     why: str
-    proved: AxisTolerance | None = None
-    fails: AxisTolerance | None = None
+    proved: LargestBox | None = None
     certificate: Certificate | None = None
     sensitive: SensitiveAxis | None = None
     sampled: NearbyArms | None = None
+    level: bool = False
 
     def record(self, certificate: str | None = None) -> dict[str, Any]:
         """The key ``tolerance`` of an audit's JSON."""
@@ -71,8 +73,12 @@ class OverTolerance:
             **_numbers(self.box),
             "verdict": self.verdict.value,
             "why": self.why,
-            "largest": None if self.proved is None else _numbers(self.proved),
-            "fails": None if self.fails is None else _numbers(self.fails),
+            "largest": self._multiple(self.proved.proved if self.proved else None),
+            "fails": self._multiple(self.proved.fails if self.proved else None),
+            "numbers": [
+                {"where": each.number.where, "within": float(each.number.within)}
+                for each in self.box.numbers
+            ],
             "sensitive": None if sensitive is None else sensitive.record(),
             "sampled": None
             if sampled is None
@@ -85,9 +91,16 @@ class OverTolerance:
             "certificate": certificate,
         }
 
+    def _multiple(self, factor: float | None) -> dict[str, float] | None:
+        if not factor or not math.isfinite(factor):
+            return None
+        box = self.box.times(factor)
+        tilt = {"angles": 0.0} if self.level else {}
+        return _numbers(box) | {"factor": factor} | tilt
+
 
 def over_tolerance(
-    box: AxisTolerance,
+    box: Box,
     found: Answer,
     literal: Chain,
     witness: Witness | None,
@@ -127,7 +140,7 @@ def largest_tolerance(found: Answer, chain: Chain, seed: int) -> float | None:
     Returns:
         A lower bound by one certificate; None where there is no such proof.
     """
-    unit = AxisTolerance(Fraction(1, 1000), Fraction(1, 1000))
+    unit = Box(AxisTolerance(Fraction(1, 1000), Fraction(1, 1000)))
     literal, clock = with_virtual_joint(chain), Clock()
     claims: Sequence[tuple[float, Certificate]] = []
     if found.verdict is Verdict.CUSPIDAL:
@@ -135,12 +148,12 @@ def largest_tolerance(found: Answer, chain: Chain, seed: int) -> float | None:
     elif found.verdict is Verdict.NONCUSPIDAL and literal.task == "position":
         pairs = pairs_certificate(literal)
         claims = [] if pairs is None else [(0.1, pairs)]
-    reached = _proved(unit, found.verdict, claims, clock).proved if claims else None
-    return None if reached is None else float(reached.lengths)
+    reached = _proved(unit, found.verdict, claims, clock)[0].proved if claims else None
+    return None if reached is None else float(unit.times(reached.proved).lengths)
 
 
 def _cuspidal(
-    box: AxisTolerance, literal: Chain, witness: Witness | None, seed: int, clock: Clock
+    box: Box, literal: Chain, witness: Witness | None, seed: int, clock: Clock
 ) -> OverTolerance:
     try:
         paths = paths_with_room(literal, witness, box, seed, clock.step)
@@ -150,12 +163,11 @@ def _cuspidal(
     if not paths:
         why = "cuspidal itself, but no path of it was met that stands any play"
         return OverTolerance(box, Verdict.UNDECIDED, why)
-    result = _proved(box, Verdict.CUSPIDAL, paths[:_TRIED], clock)
-    claim, reached = result.certificate, result.proved
-    if isinstance(claim, PathCertificate) and reached is not None:
+    result, best = _proved(box, Verdict.CUSPIDAL, paths[:_TRIED], clock)
+    if result.proved is not None and isinstance(best, PathCertificate):
         try:
             clock.step("tolerance: the most sensitive axis")
-            sensitive = sensitive_axis(claim, reached)
+            sensitive = sensitive_axis(best, box.times(result.proved.proved))
         except UnableError:
             sensitive = None
         result = replace(result, sensitive=sensitive)
@@ -163,54 +175,59 @@ def _cuspidal(
 
 
 def _proved(
-    box: AxisTolerance,
+    box: Box,
     verdict: Verdict,
     claims: Sequence[tuple[float, Certificate]],
     clock: Clock,
-) -> OverTolerance:
-    """The verdict by certificates, each with the multiple of the box to try first."""
+) -> tuple[OverTolerance, Certificate | None]:
+    """The verdict by certificates, each with the multiple of the box to try first.
+
+    Returns:
+        With the verdict the certificate that stands most, without its play.
+    """
     best: LargestBox | None = None
+    chosen: Certificate | None = None
     for room, certificate in claims:
         try:
             clock.step("tolerance: the largest box")
             coarse = largest_box(certificate, box, room, _COARSE)
             if best is None or coarse.proved > best.proved:
+                chosen = certificate
                 best = largest_box(certificate, box, coarse.proved or room)
         except UnableError:
             break
-    if best is None or best.certificate is None:
+    if best is None or chosen is None or best.certificate is None:
         why = f"{verdict.value} itself, and not proved for any box of arms"
-        return OverTolerance(box, Verdict.UNDECIDED, why)
-    reached, fails = enlarged(box, best.proved), enlarged(box, best.fails)
-    claim = over(best.certificate, box)
+        return OverTolerance(box, Verdict.UNDECIDED, why), None
+    claim = over(chosen, box)
     if best.proved >= 1 and verify(claim).accepted:
         why = "proved for every arm whose axes are off by no more"
-        return OverTolerance(box, verdict, why, reached, fails, claim)
+        if box.axes is None:
+            why = "proved for every value of the numbers within their bounds"
+        return OverTolerance(box, verdict, why, best, claim), chosen
     why = f"{verdict.value} itself, and not proved for every arm of so large a box"
     claim = best.certificate
-    return OverTolerance(box, Verdict.UNDECIDED, why, reached, fails, claim)
+    return OverTolerance(box, Verdict.UNDECIDED, why, best, claim), chosen
 
 
-def _by_pairs(box: AxisTolerance, pairs: Certificate, clock: Clock) -> OverTolerance:
+def _by_pairs(box: Box, pairs: Certificate, clock: Clock) -> OverTolerance:
     """Noncuspidal by all pairs; where that needs square axes, for lengths alone."""
-    whole = _proved(box, Verdict.NONCUSPIDAL, [(1.0, pairs)], clock)
-    if whole.proved is not None or not box.lengths:
+    whole, _ = _proved(box, Verdict.NONCUSPIDAL, [(1.0, pairs)], clock)
+    if whole.proved is not None or not box.lengths or not box.angles:
         return whole
-    level = AxisTolerance(box.lengths, Fraction(0))
-    lengths = _proved(level, Verdict.NONCUSPIDAL, [(1.0, pairs)], clock)
+    level = Box(AxisTolerance(box.lengths, Fraction(0)), box.numbers)
+    lengths, _ = _proved(level, Verdict.NONCUSPIDAL, [(1.0, pairs)], clock)
     if lengths.proved is None:
         return whole
     why = (
         "noncuspidal itself; proved for every arm whose axes are moved by so much and "
         "not tilted, and for no box with tilts, as its proof needs axes 1 and 2 square"
     )
-    if not box.angles:
-        return lengths
-    return replace(lengths, box=box, verdict=Verdict.UNDECIDED, why=why)
+    return replace(lengths, box=box, verdict=Verdict.UNDECIDED, why=why, level=True)
 
 
 def _sampled(
-    box: AxisTolerance, found: Answer, literal: Chain, seed: int, clock: Clock
+    box: Box, found: Answer, literal: Chain, seed: int, clock: Clock
 ) -> OverTolerance:
     """Arms of the box, where the verdict rests on exact relations."""
     seen = nearby_arms(literal, box, seed, clock)
@@ -234,5 +251,5 @@ def _relations(found: Answer, literal: Chain) -> str:
     return ", ".join(map(str, certificate.relations)) + " exactly"
 
 
-def _numbers(box: AxisTolerance) -> dict[str, float]:
+def _numbers(box: Box) -> dict[str, float]:
     return {"lengths": float(box.lengths), "angles": float(box.angles)}

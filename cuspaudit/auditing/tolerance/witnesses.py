@@ -7,7 +7,6 @@ ends lie far from singular postures too, as the second posture moves the less th
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
 from itertools import islice
 
 import numpy as np
@@ -17,14 +16,13 @@ from cuspaudit.auditing.cusp_witness import CuspWitness, find_cusps
 from cuspaudit.auditing.search.around_cusp import paths_around
 from cuspaudit.auditing.search.lift import close
 from cuspaudit.auditing.search.six_joints import search
-from cuspaudit.auditing.tolerance.box import enlarged
+from cuspaudit.auditing.tolerance.box import Box, over
 from cuspaudit.auditing.witness import Witness, certificate_of
-from cuspaudit.certificate import PathCertificate, Tolerance
+from cuspaudit.certificate import PathCertificate
 from cuspaudit.certificate.play_estimate import estimated_room
 from cuspaudit.errors import RetryableError, UnableError
 from cuspaudit.robot.chain import Chain
 from cuspaudit.robot.frames import jacobian
-from cuspaudit.robot.tolerance import AxisTolerance
 from cuspaudit.runtime.clock import Progress, check_time
 
 __all__ = ["paths_with_room"]
@@ -41,7 +39,7 @@ _AROUND = 4
 def paths_with_room(
     chain: Chain,
     witness: Witness | None,
-    box: AxisTolerance,
+    box: Box,
     seed: int,
     progress: Progress = lambda step: None,
 ) -> list[tuple[float, PathCertificate]]:
@@ -55,7 +53,7 @@ def paths_with_room(
         progress: called with each step of the search.
     """
     found = []
-    tiny = enlarged(box, _TINY)
+    tiny = box.times(_TINY)
     for path in _paths(chain, witness, seed, progress):
         check_time("tolerance")
         for way in (path, path[::-1]):
@@ -65,16 +63,13 @@ def paths_with_room(
                 continue
             sign = int(np.sign(np.linalg.det(jacobian(chain, closed[0]))))
             certificate = certificate_of(chain, sign, closed)
-            room = _room(certificate, tiny) * _TINY
+            claim = over(certificate, tiny)
+            assert isinstance(claim, PathCertificate)
+            room = estimated_room(claim) * _TINY
             if room > 0:
                 found.append((room, certificate))
     found.sort(key=lambda pair: -pair[0])
     return found
-
-
-def _room(certificate: PathCertificate, tiny: AxisTolerance) -> float:
-    play = Tolerance(tiny.lengths, tiny.angles)
-    return estimated_room(replace(certificate, tolerance=play))
 
 
 def _paths(

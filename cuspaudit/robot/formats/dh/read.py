@@ -17,10 +17,11 @@ frame that ``before`` ends in.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
+from typing import Literal
 
 from cuspaudit.robot.chain import (
     X_AXIS,
@@ -34,7 +35,13 @@ from cuspaudit.robot.chain import (
 from cuspaudit.robot.entries import check_known, word
 from cuspaudit.robot.formats.dh.headers import stated_by
 from cuspaudit.robot.formats.dh.lines import read_table
-from cuspaudit.robot.formats.dh.rows import Row, named_rows, parse_rows
+from cuspaudit.robot.formats.dh.rows import (
+    Row,
+    named_rows,
+    parse_rows,
+    split_play,
+    with_play,
+)
 from cuspaudit.robot.formats.dh.settings import Convention, Given, Settings, settings
 from cuspaudit.robot.formats.motion_text import parse_motions
 from cuspaudit.robot.frames import angle_value
@@ -42,7 +49,7 @@ from cuspaudit.robot.place import Place, listing
 from cuspaudit.robot.robot import Reading, Robot, parse_expectation
 from cuspaudit.robot.tables import Table
 from cuspaudit.robot.task import check_limits, default_task, parse_task
-from cuspaudit.robot.tolerance import AxisTolerance, parse_tolerance
+from cuspaudit.robot.tolerance import AxisTolerance, LooseNumber, parse_tolerance
 
 __all__ = ["chain_from_rows", "read_dh", "robot_from_table"]
 
@@ -94,10 +101,12 @@ def robot_from_table(
     check_known(table.head, _HEAD, place)
     named, headers = named_rows(table.rows, place)
     stated = stated_by(headers, place.at("header"))
+    named, played = split_play(named)
     table = Table(table.head, named)
     head = table.head
     chosen = settings(table, stated, given or Given(), place)
     rows = parse_rows(table.rows, chosen.angle_unit, place)
+    rows = with_play(rows, played, chosen.angle_unit, place)
     chain = _chain(head, rows, chosen, path, task)
     modified = chosen.convention == "modified"
     other = replace(chosen, convention="standard" if modified else "modified")
@@ -114,6 +123,7 @@ def robot_from_table(
             other.convention, _chain(head, rows, other, path, task)
         ),
         tolerance=_tolerance(head, place),
+        loose=tuple(number for row in rows for number in _loose(row)),
     )
 
 
@@ -121,6 +131,14 @@ def _tolerance(head: Mapping[str, object], place: Place) -> AxisTolerance | None
     if head.get("tolerance") is None:
         return None
     return parse_tolerance(head["tolerance"], place.at("tolerance"))
+
+
+def _loose(row: Row) -> Iterator[LooseNumber]:
+    """The loose numbers of a row, by the motions they make."""
+    for column, within in row.loose.items():
+        axis = X_AXIS if column in ("a", "alpha") else Z_AXIS
+        kind: Literal["turn", "slide"] = "slide" if column in ("a", "d") else "turn"
+        yield LooseNumber(f"{row.name} {column}", kind, axis, within)
 
 
 def _chain(
@@ -173,20 +191,20 @@ def chain_from_rows(
 
 
 def _length(row: Row, column: str, value: Fraction, axis: int) -> tuple[Motion, ...]:
-    if value == 0:
+    if value == 0 and column not in row.loose:
         return ()
     x, y, z = (value if k == axis else Fraction(0) for k in range(3))
     return (Translation((x, y, z), f"{row.name} {column}"),)
 
 
 def _twist(row: Row) -> tuple[Motion, ...]:
-    if row.alpha.is_zero:
+    if row.alpha.is_zero and "alpha" not in row.loose:
         return ()
     return (Rotation(X_AXIS, row.alpha, f"{row.name} alpha"),)
 
 
 def _offset(row: Row) -> tuple[Motion, ...]:
-    if row.theta.is_zero:
+    if row.theta.is_zero and "theta" not in row.loose:
         return ()
     return (Rotation(Z_AXIS, row.theta, f"{row.name} theta"),)
 

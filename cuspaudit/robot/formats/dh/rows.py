@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 
 from cuspaudit.robot.chain import Angle, JointKind, Motion, Vector
@@ -15,13 +15,15 @@ from cuspaudit.robot.formats.format import MOST_JOINTS
 from cuspaudit.robot.formats.motion_text import parse_direction, parse_motions
 from cuspaudit.robot.numbers import AngleUnit, parse_angle, parse_length
 from cuspaudit.robot.place import Place, quoted
+from cuspaudit.robot.tolerance import parse_within, plus_minus
 
-__all__ = ["Limits", "Row", "named_rows", "parse_rows"]
+__all__ = ["Limits", "Row", "named_rows", "parse_rows", "split_play", "with_play"]
 
 
 Limits = tuple[Angle, Angle] | tuple[Fraction, Fraction] | None
 
 _FREE = ("before", "axis")
+_NUMBERS = ("theta", "d", "a", "alpha")
 _SIGNS = {None: 1, "1": 1, "+1": 1, "-1": -1}
 
 
@@ -41,6 +43,7 @@ class Row:
         before: fixed motions that come before all of these.
         axis: the joint's own axis, in a row without theta, d, a, alpha and sign.
         is_typed: whether the row states its kind.
+        loose: within how much the numbers of some columns are known.
     """
 
     name: str
@@ -54,6 +57,7 @@ class Row:
     before: tuple[Motion, ...] = ()
     axis: Vector | None = None
     is_typed: bool = True
+    loose: Mapping[str, Fraction] = field(default_factory=dict)
 
 
 def named_rows(
@@ -86,6 +90,50 @@ def named_rows(
             named[column] = value
         result.append(named)
     return result, list(seen.values())
+
+
+def split_play(
+    rows: Sequence[Mapping[str, object]],
+) -> tuple[list[Mapping[str, object]], list[dict[str, str]]]:
+    """The rows without what stands after +-, and that by the columns of each row."""
+    plain: list[Mapping[str, object]] = []
+    played: list[dict[str, str]] = []
+    for cells in rows:
+        found: dict[str, str] = {}
+        bare = dict(cells)
+        for column in _NUMBERS:
+            text = cells.get(column)
+            if isinstance(text, str):
+                bare[column], radius = plus_minus(text)
+                if radius is not None:
+                    found[column] = radius
+        plain.append(bare)
+        played.append(found)
+    return plain, played
+
+
+def with_play(
+    rows: Sequence[Row],
+    played: Sequence[Mapping[str, str]],
+    unit: AngleUnit | None,
+    place: Place,
+) -> list[Row]:
+    """The rows with how loose their numbers are, as `split_play` found it."""
+    return [
+        replace(
+            row,
+            loose={
+                column: parse_within(
+                    plain_cell(text),
+                    column in ("theta", "alpha"),
+                    unit,
+                    place.at(f"row {number} {column}"),
+                )
+                for column, text in cells.items()
+            },
+        )
+        for number, (row, cells) in enumerate(zip(rows, played, strict=True), 1)
+    ]
 
 
 def parse_rows(
