@@ -165,6 +165,8 @@ def _sentences(record: dict[str, Any]) -> list[str]:
     if "changes posture" in kinds or "repeatable after laps" in kinds:
         lines.append("a run ends in another posture: the arm is cuspidal")
     motion = record["recorded"]
+    if motion is not None and motion["run"] is None:
+        lines.append("the recorded motion begins in no run: is its start singular?")
     if motion is not None and motion["run"] is not None:
         text = f"the recorded motion is run {motion['run']}"
         if motion["leaves_after"] is not None:

@@ -18,6 +18,7 @@ from flint import arb, ctx
 from numpy.typing import NDArray
 
 from cuspaudit.auditing.search.aspect_routing import route_aspects
+from cuspaudit.auditing.search.mixed_joints import way_over_net
 from cuspaudit.auditing.witness import certificate_of
 from cuspaudit.certificate.cover import Cover, Refusal
 from cuspaudit.errors import AssumptionError, UnableError
@@ -116,6 +117,8 @@ def same_aspect(
             why = "they lie in one of the exactly known aspects within the limits"
             return result("same", why)
         tried = "the straight way and the widest way over saddles of |det J|"
+        if not all(arm.turning):
+            tried = "the straight way and ways over postures far from singular ones"
         why = f"neither a path nor a proof was found: {tried} were tried"
         if time_is_up():
             why = f"neither a path nor a proof was found within {timeout:g} s"
@@ -192,6 +195,11 @@ def _proposals(
     if not within:
         short = np.where(turning, np.remainder(gap + np.pi, 2 * np.pi) - np.pi, gap)
         yield np.vstack([first, first + short])
+    if not all(turning) and len(arm.chain.joints) == 6 and arm.task == "pose":
+        over = way_over_net(arm.chain, first, second, seed)
+        if over is not None:
+            yield from _ended(arm, over, second, within)
+        return
     try:
         check_time("paths")
         routing = route_aspects(arm.model, seed)
@@ -202,7 +210,13 @@ def _proposals(
     if found is None:
         return
     path = np.asarray(found.points)[:, : arm.joints]
-    path = np.vstack([first, path[1:-1], _near(path[-1], second, turning)])
+    yield from _ended(arm, np.vstack([first, path[1:]]), second, within)
+
+
+def _ended(arm: TracedArm, path: Array, second: Array, within: bool) -> Iterator[Array]:
+    """The path with its end the second posture, where it keeps within limits."""
+    turning = arm.turning[: arm.joints]
+    path = np.vstack([path[:-1], _near(path[-1], second, turning)])
     if not within or _stays(arm, path, second):
         yield path
 

@@ -26,7 +26,7 @@ from cuspaudit.errors import UnableError
 from cuspaudit.kinematics.postures.moving import gap
 from cuspaudit.robot.chain import Chain
 
-__all__ = ["search_mixed"]
+__all__ = ["search_mixed", "way_over_net"]
 
 Array = NDArray[np.float64]
 Index = NDArray[np.int64]
@@ -80,6 +80,29 @@ def search_mixed(
     return looking.result()
 
 
+def way_over_net(chain: Chain, first: Array, second: Array, seed: int) -> Array | None:
+    """A way between two postures of one sign of det J; None where none is met.
+
+    Straight, or over postures far from singular ones. In floating point: proposed.
+
+    Args:
+        chain: six joints, task "pose".
+        first: joint values.
+        second: likewise; the way may end whole turns beside it.
+        seed: of the random postures.
+    """
+    looking = _Looking(chain, seed)
+    looking.spread()
+    ends = np.array([first, second])
+    sign = float(np.sign(looking.heights(ends)[0]))
+    target, low = looking.straight(sign, ends[:1], ends[1:])
+    if low[0] > 0:
+        return np.array([first, target[0]])
+    net = looking.nets[sign]
+    over = net.path(net.reach(ends), 0, 1)
+    return None if over is None else looking.unwound(np.vstack([first, over, second]))
+
+
 @dataclass(eq=False)
 class _Looking:
     """The state of a search."""
@@ -111,7 +134,7 @@ class _Looking:
         """Choose postures of each sign that are far from singular and from another."""
         some = self._random(_RANDOM)
         far = self.map.decomposed(some)[0]
-        self.largest = float(np.abs(self._heights(some)).max())
+        self.largest = float(np.abs(self.heights(some)).max())
         self.nets = {}
         for sign in (1.0, -1.0):
             peaks: list[Array] = []
@@ -128,7 +151,7 @@ class _Looking:
         for own in self._postures(given):
             self.counts[len(own)] += 1
             self.poses += 1
-            signs = np.sign(self._heights(own))
+            signs = np.sign(self.heights(own))
             for sign in (1.0, -1.0):
                 postures = own[signs == sign]
                 first, second = np.triu_indices(len(postures), 1)
@@ -139,7 +162,7 @@ class _Looking:
     def _join(self, sign: float, postures: Array, first: Index, second: Index) -> None:
         """Keep the couples that a straight way joins, else one over the net."""
         start, end = postures[first], postures[second]
-        target, low = self._straight(sign, start, end)
+        target, low = self.straight(sign, start, end)
         net = self.nets[sign]
         to_net = net.reach(postures)
         for k in range(len(first)):
@@ -148,18 +171,18 @@ class _Looking:
                 over = net.path(to_net, int(first[k]), int(second[k]))
                 if over is None:
                     continue
-                path = self._unwound(np.vstack([start[k], over, end[k]]))
+                path = self.unwound(np.vstack([start[k], over, end[k]]))
             lows = self.lowest(sign, path[:-1], path[1:], _FINE)
             clearance = float(lows.min()) / self.largest
             if clearance > _ROUNDING:
                 self.ways.append(_Way(path, clearance))
 
-    def _unwound(self, path: Array) -> Array:
+    def unwound(self, path: Array) -> Array:
         """The path with every joint turning the short way from point to point."""
         moves = self.short(np.diff(path, axis=0))
         return np.asarray(path[0] + np.vstack([np.zeros(6), np.cumsum(moves, axis=0)]))
 
-    def _straight(self, sign: float, start: Array, end: Array) -> tuple[Array, Array]:
+    def straight(self, sign: float, start: Array, end: Array) -> tuple[Array, Array]:
         """The best straight path of each pair: its end and the lowest s h on it."""
         short = self.short(end - start)
         moves = []
@@ -179,14 +202,14 @@ class _Looking:
         """The smallest sampled s h on segments (m, 6) to (m, 6): (m,)."""
         t = np.linspace(0.0, 1.0, samples)[None, :, None]
         points = start[:, None] + t * (end - start)[:, None]
-        values = self._heights(points.reshape(-1, 6)).reshape(len(start), samples)
+        values = self.heights(points.reshape(-1, 6)).reshape(len(start), samples)
         return np.asarray((sign * values).min(1))
 
     def short(self, moves: Array) -> Array:
         """Moves with the short way round."""
         return np.where(self.map.turns, shortest_turn(moves), moves)
 
-    def _heights(self, q: Array) -> Array:
+    def heights(self, q: Array) -> Array:
         """Det J, lengths in units of the arm's size."""
         found = []
         for part in np.array_split(q, len(q) // _CHUNK + 1):
