@@ -123,6 +123,8 @@ class Univariate:
         its norm tells the rest.
         """
         defining = fmpq_poly(root.polynomial)
+        if self.radicand is None and not _may_divide(root.polynomial, self.rational):
+            return 0
         rest, count = self, 0
         while rest.rational % defining == 0 and rest.surd % defining == 0:
             rest = Univariate(
@@ -161,6 +163,19 @@ class RealRoot:
 
     def __float__(self) -> float:
         return float(self.enclosure(64).mid())
+
+
+def _may_divide(factor: fmpz_poly, polynomial: fmpq_poly) -> bool:
+    """False only where a primitive factor does not divide: by values at a few integers.
+
+    A primitive polynomial that divides one over Z over Q divides it over Z [Gauss].
+    """
+    integral = polynomial.numer()
+    for point in (2, 3, -5):
+        value = factor(point)
+        if value != 0 and integral(point) % value != 0:
+            return False
+    return True
 
 
 def real_roots(*polynomials: Univariate) -> list[RealRoot]:

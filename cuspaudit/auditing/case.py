@@ -26,8 +26,9 @@ class Case:
         engine: the route to connectivity, "auto", "roadmap" or "routing"; or "pairs".
         poses: the most random poses that a search tries.
         certify: whether a CUSPIDAL of an exact run needs a proved path as well.
-        verdict_alone: whether no numbers of cusps, nodes and postures are asked for, no
-            couple and no sample values.
+        counts: the numbers that are asked for beside the verdict, of "aspects",
+            "max_postures", "cusps" and "nodes"; None where a couple and sample values
+            are as well.
         so_far: what the ways tried before came to; None when none had an answer.
     """
 
@@ -36,5 +37,5 @@ class Case:
     engine: str = "auto"
     poses: int = MOST_POSES
     certify: bool = True
-    verdict_alone: bool = False
+    counts: frozenset[str] | None = None
     so_far: Answer | None = None

@@ -23,6 +23,8 @@ from cuspaudit.family.expressions import Value
 from cuspaudit.family.family import Family, exact_text
 from cuspaudit.kinematics.exact_model import exact_model
 from cuspaudit.robot.chain import Angle, Chain
+from cuspaudit.robot.fixed_motions import is_algebraic
+from cuspaudit.robot.robot import COUNTS
 from cuspaudit.robot.snapping import faithful
 from cuspaudit.runtime.alarm import TimeUp, alarm
 from cuspaudit.runtime.clock import Clock
@@ -64,12 +66,14 @@ def failed_member(family: Family, index: int, why: str) -> Row:
 
 
 def _decided(family: Family, index: int) -> Row:
-    model = exact_model(faithful(family.robot(index).chain))
+    chain = family.robot(index).chain
+    # an exact model has every relation of the axes that there is
+    model = exact_model(chain if is_algebraic(chain) else faithful(chain))
     case = Case(
         model,
         family.seed,
         certify=not model.is_exact,
-        verdict_alone=set(family.record) <= {"aspects"},
+        counts=_counts_alone(family),
     )
     found = decide(case, Clock())
     counts = {
@@ -102,6 +106,12 @@ def _tolerance(found: Answer, chain: Chain, seed: int) -> float | None:
     from cuspaudit.auditing.tolerance.over_tolerance import largest_tolerance
 
     return largest_tolerance(found, chain, seed)
+
+
+def _counts_alone(family: Family) -> frozenset[str] | None:
+    """The counts that are recorded; None where the run itself is needed."""
+    wanted = frozenset(family.record)
+    return wanted if wanted <= set(COUNTS) else None
 
 
 def _within_limits(found: Answer, chain: Chain, seed: int) -> str | None:

@@ -203,3 +203,11 @@ def test_precision_is_put_back() -> None:
     real_root_balls([over_q(-2, 0, 1)])
     assert ctx.prec == before
     assert abs(float(root) - 2**0.5) < 1e-15
+
+
+def test_values_that_a_factor_divides_by_chance_prove_nothing() -> None:
+    """X + 1 divides no x^2 + 11, whose value at 2 it does divide; twice (x + 1)^2 x."""
+    (root,) = real_roots(Univariate(fmpq_poly([1, 1]), fmpq_poly([0])))
+    for coefficients, expected in (([11, 0, 1], 0), ([0, 1, 2, 1], 2), ([2, 2], 1)):
+        polynomial = Univariate(fmpq_poly(coefficients), fmpq_poly([0]))
+        assert polynomial.multiplicity(root) == expected

@@ -1,7 +1,8 @@
 """Deciding a three-joint arm, import and cross-check aside, one core.
 
 ``pytest tests/benchmarks/test_decision_benchmark.py --benchmark-only -s`` prints the
-median and the worst of 100 arms; no limit is held here.
+median and the worst of 100 arms, with everything that Algorithm 1 gives and for the
+verdict alone; no limit is held here.
 """
 
 from __future__ import annotations
@@ -9,13 +10,15 @@ from __future__ import annotations
 import random
 import statistics
 import time
+from collections.abc import Callable
 from fractions import Fraction
 from typing import Any
 
 import pytest
 from short_tables import arm
 
-from cuspaudit.cuspidality.surface_decision import decide_surface
+from cuspaudit.cuspidality.surface_decision import SurfaceDecision, decide_surface
+from cuspaudit.cuspidality.tile_decision import TileDecision, decide_by_tiles
 from cuspaudit.kinematics.exact_model import exact_model
 from cuspaudit.kinematics.polynomial_map import reduced_map
 from cuspaudit.robot.chain import Chain
@@ -41,22 +44,31 @@ def hundred() -> list[tuple[str, Chain]]:
     return arms
 
 
-def seconds(chain: Chain) -> float:
+WAYS: dict[str, Callable[..., SurfaceDecision | TileDecision]] = {
+    "whole": decide_surface,
+    "verdict": decide_by_tiles,
+}
+
+
+def seconds(chain: Chain, way: str) -> float:
     """Processor time of one decision."""
     pair = reduced_map(exact_model(chain))
     start = time.process_time()
-    decide_surface(*pair)
+    WAYS[way](*pair)
     return time.process_time() - start
 
 
+@pytest.mark.parametrize("way", WAYS)
 @pytest.mark.parametrize("kind", ["orthogonal", "general"])
-def test_deciding_fifty_arms(benchmark: Any, kind: str) -> None:
+def test_deciding_fifty_arms(benchmark: Any, kind: str, way: str) -> None:
     """Median and worst time of fifty random arms of one kind."""
     chains = [chain for name, chain in hundred() if name == kind]
-    seconds(chains[0])
+    seconds(chains[0], way)
     times = benchmark.pedantic(
-        lambda: [seconds(chain) for chain in chains], rounds=1, iterations=1
+        lambda: [seconds(chain, way) for chain in chains], rounds=1, iterations=1
     )
     benchmark.extra_info["median"] = statistics.median(times)
     benchmark.extra_info["worst"] = max(times)
-    print(f"{kind}: median {statistics.median(times):.3f} s, worst {max(times):.3f} s")
+    print(
+        f"{kind}, {way}: median {statistics.median(times):.3f} s, worst {max(times):.3f} s"
+    )

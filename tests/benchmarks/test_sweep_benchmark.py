@@ -2,6 +2,7 @@
 
 ``pytest tests/benchmarks/test_sweep_benchmark.py --benchmark-only -s`` prints processor
 times, which other work on the machine hardly changes, beside the rates on the clock;
+``CUSPAUDIT_RECORD=verdict`` records the verdict alone instead of all counts;
 ``CUSPAUDIT_MEMBERS=1000`` makes it the full run. No limit is held here.
 """
 
@@ -16,6 +17,7 @@ from cuspaudit.family.family_file import read_family
 from cuspaudit.family.row import decide_member
 from cuspaudit.family.sweep import sweep
 
+RECORD = os.environ.get("CUSPAUDIT_RECORD", "")
 MEMBERS = int(os.environ.get("CUSPAUDIT_MEMBERS", "40"))
 FAMILY = """\
 family: orthogonal-3r
@@ -33,6 +35,8 @@ parameters:
   d2: {{random: [0.1, 2], count: {count}}}
 seed: 2022
 """
+if RECORD:
+    FAMILY += f"record: {RECORD}\n"
 
 
 def timed(file: Path, folder: Path, workers: int) -> tuple[float, float]:

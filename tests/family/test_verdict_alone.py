@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import pytest
+
+from cuspaudit.family import row
 from cuspaudit.family.family_file import read_family
 from cuspaudit.family.row import decide_member
 
@@ -37,6 +40,22 @@ def test_aspects_come_with_the_verdict(tmp_path: Path) -> None:
     """They are counted by the roadmap that tells the ends of a pair."""
     file = tmp_path / "aspects.yaml"
     file.write_text(FAMILY + "record: [aspects]\n")
-    row = decide_member(read_family(file), 1)
+    found = decide_member(read_family(file), 1)
     file.write_text(FAMILY)
-    assert row["aspects"] == decide_member(read_family(file), 1)["aspects"]
+    assert found["aspects"] == decide_member(read_family(file), 1)["aspects"]
+
+
+def test_counts_without_sample_values_are_those_with(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Cusps, nodes, aspects and postures of cuspidal and noncuspidal members."""
+    file = tmp_path / "counts.yaml"
+    file.write_text(FAMILY)
+    family = read_family(file)
+    short = [decide_member(family, k) for k in range(6)]
+    monkeypatch.setattr(row, "_counts_alone", lambda family: None)
+    full = [decide_member(family, k) for k in range(6)]
+    for line in (*short, *full):
+        del line["seconds"]
+    assert short == full
+    assert len({line["cusps"] for line in full}) > 1
