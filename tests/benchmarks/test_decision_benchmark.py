@@ -69,6 +69,5 @@ def test_deciding_fifty_arms(benchmark: Any, kind: str, way: str) -> None:
     )
     benchmark.extra_info["median"] = statistics.median(times)
     benchmark.extra_info["worst"] = max(times)
-    print(
-        f"{kind}, {way}: median {statistics.median(times):.3f} s, worst {max(times):.3f} s"
-    )
+    middle, worst = statistics.median(times), max(times)
+    print(f"{kind}, {way}: median {middle:.3f} s, worst {worst:.3f} s")
