@@ -18,7 +18,6 @@ if TYPE_CHECKING:
 __all__ = ["SCHEMA", "verify_free"]
 
 SCHEMA = "cuspaudit/free/1"
-_ROUNDING = 1e-9
 
 
 def verify_free(record: Mapping[str, Any], file: Path, as_json: bool) -> None:
@@ -50,10 +49,11 @@ def _rows(record: Mapping[str, Any], file: Path) -> Iterator[dict[str, Any]]:
     from cuspaudit.certificate import LockCertificate, certificate_from_text, verify
 
     try:
+        within = bool(record["within_limits"])
         held = [
             (float(each["lower"]), float(each["upper"]), each["witness"]["certificate"])
             for each in record["stretches"]
-            if each["witness"] is not None
+            if each["proof"] == "path" or each["witness"] is not None
         ]
     except (KeyError, TypeError, ValueError):
         raise InvalidCertificateError(
@@ -65,7 +65,9 @@ def _rows(record: Mapping[str, Any], file: Path) -> Iterator[dict[str, Any]]:
     for lower, upper, certificate in held:
         claim = certificate_from_text(json.dumps(certificate), str(file))
         accepted, reason = False, "the certificate is about other values"
-        if isinstance(claim, LockCertificate) and _covers(claim, lower, upper):
+        if within and claim.limits is None:
+            reason = "the certificate is not about the joint limits"
+        elif isinstance(claim, LockCertificate) and _covers(claim, lower, upper):
             result = verify(claim)
             accepted, reason = result.accepted, result.reason
         yield {
@@ -77,9 +79,13 @@ def _rows(record: Mapping[str, Any], file: Path) -> Iterator[dict[str, Any]]:
 
 
 def _covers(claim: LockCertificate, lower: float, upper: float) -> bool:
-    """Whether the certificate speaks of all values from ``lower`` to ``upper``."""
+    """Whether the certificate speaks of all values from ``lower`` to ``upper``.
+
+    Certificates are written for a little more than their interval, so that the rounding
+    of its ends needs no room here.
+    """
     places = [*(joint.before for joint in claim.joints), claim.tool]
     turn: Any = places[claim.lock.joint - 1][claim.lock.motion]
     middle = float(turn.half_turns) * math.pi + float(turn.radians)
-    half = float(claim.lock.half) + _ROUNDING
-    return middle - half <= lower and upper <= middle + half
+    half = float(claim.lock.half)
+    return middle - half <= lower <= upper <= middle + half
