@@ -18,8 +18,8 @@ from cuspaudit.auditing.cusp_witness import find_cusps
 from cuspaudit.auditing.deciders.by_search import search_witness
 from cuspaudit.auditing.search.around_cusp import paths_around
 from cuspaudit.auditing.tolerance.box import Box
-from cuspaudit.auditing.witness import certified
-from cuspaudit.errors import RetryableError, UnableError
+from cuspaudit.auditing.witness import Witness, certified
+from cuspaudit.errors import UnableError
 from cuspaudit.robot.chain import Angle, Chain, Motion, Rotation, Translation
 from cuspaudit.robot.frames import jacobian
 from cuspaudit.robot.tolerance import LooseNumber
@@ -44,7 +44,7 @@ class NearbyArms:
         arms: how many were looked at.
         cuspidal: of how many a path is proved.
         clearance: the largest of their paths, as a share of the largest |det J| met;
-            None when none is cuspidal.
+            None when none is cuspidal; with slides, as |det J| has no largest value.
         seed: of the random directions.
     """
 
@@ -59,18 +59,19 @@ def nearby_arms(
 ) -> NearbyArms:
     """Look at ``count`` arms at the edge of the box, or at fewer when time is up."""
     rng = np.random.default_rng(seed)
-    seen, met = 0, list[float]()
+    seen, met = 0, list[Witness]()
     for number in range(count):
         try:
             clock.step(f"tolerance: arm {number + 1} of {count}")
             check_time("tolerance")
-            clearance = _clearance(built_arm(chain, box, rng), seed)
+            witness = _widest(built_arm(chain, box, rng), seed, clock)
         except UnableError:
             break
         seen += 1
-        if clearance is not None:
-            met.append(clearance)
-    return NearbyArms(seen, len(met), max(met, default=None), seed)
+        if witness is not None:
+            met.append(witness)
+    known = [each.clearance for each in met if each.clearance is not None]
+    return NearbyArms(seen, len(met), max(known, default=None), seed)
 
 
 def built_arm(chain: Chain, box: Box, rng: np.random.Generator) -> Chain:
@@ -115,22 +116,19 @@ def _short(vector: tuple[Fraction, ...]) -> tuple[Fraction, Fraction, Fraction]:
     return x, y, z
 
 
-def _clearance(chain: Chain, seed: int) -> float | None:
-    """The clearance of the widest path that is met and proved; None without one."""
+def _widest(chain: Chain, seed: int, clock: Clock) -> Witness | None:
+    """The widest path that is met and proved; None without one."""
     if chain.task == "pose":
-        witness = search_witness(chain, seed, most=_POSES).witness
-        return None if witness is None else witness.clearance
+        return search_witness(chain, seed, clock.step, _POSES).witness
     free = [None] * len(chain.joints)
-    best = None
+    largest = _largest(chain, seed)
+    found = []
     for cusp in islice(find_cusps(chain, seed, inside=False), 1):
         for path in islice(paths_around(chain, cusp.posture, free), _AROUND):
-            try:
-                witness = certified(chain, path, _largest(chain, seed))
-            except RetryableError:
-                continue
-            if witness.clearance is not None:
-                best = max(best or 0.0, witness.clearance)
-    return best
+            witness = certified(chain, path, largest)
+            if witness.verification.accepted:
+                found.append(witness)
+    return max(found, key=lambda witness: witness.clearance or 0.0, default=None)
 
 
 def _largest(chain: Chain, seed: int) -> float:

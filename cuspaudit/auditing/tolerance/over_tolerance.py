@@ -230,13 +230,21 @@ def _sampled(
     box: Box, found: Answer, literal: Chain, seed: int, clock: Clock
 ) -> OverTolerance:
     """Arms of the box, where the verdict rests on exact relations."""
+    if literal.task not in ("position", "pose"):
+        why = (
+            f"noncuspidal itself, as {_relations(found, literal)}, which play breaks; "
+            "arms near by have a task of another kind, and none was looked at"
+        )
+        return OverTolerance(box, Verdict.UNDECIDED, why)
     seen = nearby_arms(literal, box, seed, clock)
     why = f"noncuspidal itself, as {_relations(found, literal)}, which play breaks; "
-    if seen.clearance is not None:
+    if seen.cuspidal:
         why += (
             f"cuspidal by a hair: {seen.cuspidal} of {seen.arms} arms at the edge of "
-            f"the box have a path, clearance at most {seen.clearance:.1e} seen"
+            "the box have a path"
         )
+        if seen.clearance is not None:
+            why += f", clearance at most {seen.clearance:.1e} seen"
     else:
         why += f"of {seen.arms} arms at the edge of the box none was seen cuspidal"
     return OverTolerance(box, Verdict.UNDECIDED, why, sampled=seen)
