@@ -125,7 +125,7 @@ def audit(
         )
         return
     opened = open_named(robot, reading, square=False)
-    if free:
+    if free is not None:
         refuse_beside_free(
             {"--certificate": certificate, "--calibration": calibration}
             | {"--tolerance": tolerance}

@@ -73,6 +73,7 @@ def test_python_loads_the_arm_as_built(deltas: Path) -> None:
     assert "calibrated by" in robot.notes[-1]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("options", "code", "said"),
     [

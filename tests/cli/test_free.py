@@ -80,9 +80,11 @@ def test_a_record_without_certificates_is_no_proof(tmp_path: Path) -> None:
     assert "cut or altered" in done.stderr
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("joint", "options", "said"),
     [
+        ("", (), 'no joint is named ""'),
         ("joint_9", (), 'no joint is named "joint_9"'),
         ("joint_4", (), "whatever the value of joint_4"),
         ("joint_3", ("--certificate", "c.json"), "--json FILE"),

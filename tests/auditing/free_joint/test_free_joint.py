@@ -206,7 +206,7 @@ def test_a_panda_is_cuspidal_at_every_value_of_joint_3() -> None:
     assert found.verdict is Verdict.CUSPIDAL
     assert found.degrees[Verdict.CUSPIDAL] >= 342
     assert covers(found.stretches)
-    agree(given, found, 4)
+    agree(given, found, 2)
 
 
 @pytest.mark.slow
