@@ -63,7 +63,7 @@ class WitnessSearch:
             if not self.inside or is_inside(closed, _limits(chain)):
                 found += 1
                 yield closed
-        if not found and not self.inside:
+        if not self.inside and (not found or chain.task == "position"):
             yield from self._decided(chain, angle_value(value))
 
     def remarked(self, stretch: Stretch) -> Stretch:
@@ -78,10 +78,11 @@ class WitnessSearch:
         return stretch
 
     def _proposed(self, chain: Chain) -> Iterator[Array]:
-        if self.inside and chain.task in ("position", "pose"):
-            limits = _limits(chain)
-            for cusp in islice(search_cusps(chain, limits, self.seed), _CUSPS):
-                yield from islice(paths_around(chain, cusp.posture, limits), _AROUND)
+        if self.inside or chain.task == "position":
+            limits = _limits(chain) if self.inside else [None] * len(chain.joints)
+            most, around = (_CUSPS, _AROUND) if self.inside else (2, 1)
+            for cusp in islice(search_cusps(chain, limits, self.seed), most):
+                yield from islice(paths_around(chain, cusp.posture, limits), around)
         if chain.task == "pose" and chain.kinds == ("revolute",) * 6:
             for proposal in search(chain, self.seed, most=_POSES).proposals:
                 yield proposal.path
