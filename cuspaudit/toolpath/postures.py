@@ -12,10 +12,11 @@ from flint import arb, ctx
 from cuspaudit.runtime.clock import time_limit
 from cuspaudit.toolpath.aspect_labels import aspect_labels
 from cuspaudit.toolpath.ball_arm import BITS
-from cuspaudit.toolpath.joint_pose import JointValue, float_values
+from cuspaudit.toolpath.joint_pose import JointValue, float_values, value_balls
 from cuspaudit.toolpath.known import Known
 from cuspaudit.toolpath.limits import joint_ranges, windings
 from cuspaudit.toolpath.margins import determinant, proved_distance, singular_distance
+from cuspaudit.toolpath.same_aspect import sign_near
 from cuspaudit.toolpath.starts import solve_pose
 from cuspaudit.toolpath.strands import known_postures
 from cuspaudit.toolpath.traced_arm import TracedArm
@@ -26,8 +27,8 @@ __all__ = ["Posture", "PostureList", "held_to", "list_postures", "postures_recor
 SCHEMA = "cuspaudit/postures/1"
 _SAME = 1e-7
 _TORN = (
-    "the joint vector is singular, or nearly so, and not among them: its pose rounded "
-    "to 1e-15 is another pose, whose postures these are"
+    "the joint vector is singular, or nearly so: its pose rounded to 1e-15 is another "
+    "pose, whose postures these are"
 )
 
 
@@ -155,10 +156,15 @@ def held_to(found: PostureList, values: Sequence[JointValue]) -> PostureList:
         found: the postures of `pose_of_joints`.
         values: the joint vector.
     """
-    given = np.array(float_values(values))
-    n = found.arm.joints
-    turning, scales = found.arm.turning[:n], found.arm.scales[:n]
+    given, arm = np.array(float_values(values)), found.arm
+    n = arm.joints
+    turning, scales = arm.turning[:n], arm.scales[:n]
+    with ctx.workprec(BITS):
+        extra = [arb(0)] * (len(arm.chain.joints) - n)
+        is_regular = sign_near(arm, [*value_balls(values), *extra]) is not None
     for posture in found.postures:
+        if not is_regular and posture.sign != 0:
+            continue
         gap = np.array(posture.values) - given
         gap = np.where(turning, 2 * np.sin(gap / 2), gap / scales)
         if np.abs(gap).max() < _SAME:

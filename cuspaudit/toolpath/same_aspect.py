@@ -30,7 +30,7 @@ from cuspaudit.toolpath.joint_pose import JointValue, float_values, value_balls
 from cuspaudit.toolpath.limits import joint_ranges
 from cuspaudit.toolpath.traced_arm import TracedArm
 
-__all__ = ["Connection", "connection_record", "same_aspect"]
+__all__ = ["Connection", "connection_record", "same_aspect", "sign_near"]
 
 Array = NDArray[np.float64]
 
@@ -81,7 +81,7 @@ def same_aspect(
     """
     with ctx.workprec(BITS), time_limit(timeout):
         ends = [_completed(arm, value_balls(values)) for values in (first, second)]
-        signs = (_sign(arm, ends[0]), _sign(arm, ends[1]))
+        signs = (sign_near(arm, ends[0]), sign_near(arm, ends[1]))
 
         def result(answer: Any, why: str, path: Array | None = None) -> Connection:
             return Connection(answer, why, path, signs, within_limits)
@@ -159,7 +159,7 @@ def _completed(arm: TracedArm, balls: list[arb]) -> list[arb]:
     return balls + [arb(0)] * (len(arm.chain.joints) - len(balls))
 
 
-def _sign(arm: TracedArm, values: Sequence[arb]) -> int | None:
+def sign_near(arm: TracedArm, values: Sequence[arb]) -> int | None:
     """The sign of det J near the values, the doubles next to them included."""
     value = _determinant(arm, [v + arb(0, _ROUNDED) * (1 + abs(v)) for v in values])
     return 1 if value > 0 else -1 if value < 0 else None

@@ -122,7 +122,13 @@ def test_the_distance_to_a_singular_posture_is_bounded_from_below() -> None:
 
 
 @pytest.mark.parametrize(
-    "joints", ["0.1,-1,1.2,0.3,0,0", "0.1,-1,0,0.3,0.4,0", "1,-1,1.2,0.3,3.141592653,0"]
+    "joints",
+    [
+        "0.1,-1,1.2,0.3,0,0",
+        "0,1.0471975511965976,-1.0471975511965976,0,0,2",
+        "0.1,-1,0,0.3,0.4,0",
+        "1,-1,1.2,0.3,3.141592653,0",
+    ],
 )
 def test_a_singular_joint_vector_is_no_posture_of_its_rounded_pose(joints: str) -> None:
     """A UR5 with a wrist that turns on the spot, or stretched: not called complete."""
