@@ -46,7 +46,7 @@ from cuspaudit.auditing.search.box_search import paths_inside
 from cuspaudit.auditing.three_in_box import ThreeInBox, aspects_in_box, decide_three
 from cuspaudit.auditing.witness import Witness
 from cuspaudit.cuspidality.verdict import Verdict
-from cuspaudit.errors import RetryableError, UnableError
+from cuspaudit.errors import RetryableError, TimeLimitError, UnableError
 from cuspaudit.robot.chain import Chain
 from cuspaudit.runtime.clock import Clock
 
@@ -150,11 +150,14 @@ def _to_look_at(
     if result.kind != "cusp":
         return result
     try:
-        if found.model.chain.task != "position":
-            return _shown(result, _searched(found, literal, seed))
-        return _with_path(result, found, decide_three(found.model, clock), literal)
+        box = _box(found, clock)
+        if box is not None:
+            result = _with_path(result, found, box, literal)
+        if result.witness is None and found.model.chain.task == "pose":
+            result = _shown(result, _searched(found, literal, seed))
     except (UnableError, RetryableError):
-        return result
+        pass
+    return result
 
 
 def _cuspidal(
@@ -224,15 +227,12 @@ def _exactly(
     nothing: WithinLimits, found: Answer, literal: Chain, clock: Clock
 ) -> WithinLimits | None:
     """What the exact routes for three joints say, of the arm or of its first three."""
+    box, reduction = _box(found, clock), found.reduction
+    if box is None:
+        return None
     if found.model.chain.task == "position":
-        box = decide_three(found.model, clock)
         return _with_path(_of_three(nothing, box), found, box, literal)
-    reduction = found.reduction
-    if reduction is None or reduction.regional is None:
-        return None
-    if reduction.kind not in WRISTS:
-        return None
-    box = decide_three(reduction.regional, clock)
+    assert reduction is not None, "three joints of six are those of a wrist"
     if box.verdict is Verdict.NONCUSPIDAL:
         why = (
             f"{reduction.kind}: the three joints that place its centre are noncuspidal "
@@ -243,6 +243,25 @@ def _exactly(
     if box.verdict is Verdict.CUSPIDAL:
         return _of_wrist(nothing, found, box, literal)
     return None
+
+
+def _box(found: Answer, clock: Clock) -> ThreeInBox | None:
+    """Three joints within their limits: the arm, or those before a wrist; else None.
+
+    Raises:
+        UnableError: of three joints that are the arm, out of reach.
+    """
+    if found.model.chain.task == "position":
+        return decide_three(found.model, clock)
+    reduction = found.reduction
+    if reduction is None or reduction.regional is None or reduction.kind not in WRISTS:
+        return None
+    try:
+        return decide_three(reduction.regional, clock)
+    except TimeLimitError:
+        raise
+    except (UnableError, RetryableError):
+        return None
 
 
 def _of_wrist(

@@ -70,6 +70,7 @@ def test_a_shoulder_is_a_wrist_seen_from_the_tip() -> None:
     check(reverse(limited(SIX, (*BOX, *WRISTS["a quarter turn of joint 5"]))))
 
 
+@pytest.mark.slow
 def test_a_wrist_that_cannot_turn_follows_nothing() -> None:
     """Joint 5 within one degree: no wrist brings the hand back."""
     chain = limited(SIX, (*BOX, (-1, 1), (40, 41), (-1, 1)))
@@ -119,3 +120,13 @@ def test_where_no_wrist_is_met_the_search_says_so() -> None:
     regional = np.array([[0.0, -1.5, 0.5], [0.4, -1.0, 1.8]])
     with pytest.raises(RetryableError, match="no wrist"):
         lift_wrist_inside(SIX, regional, limits)
+
+
+def test_a_wrist_shows_a_path_of_its_three_joints() -> None:
+    """Six joints, a cusp that no path goes round in a short range of joint 1."""
+    chain = limited(SIX, ((-1, 1), None, None, None, None, None))
+    found = within_limits(answer(exact_model(chain)), chain, 0, Clock())
+    assert found is not None
+    assert found.kind == "cusp"
+    assert found.witness is not None
+    assert max(abs(found.witness.path[:, 0])) < math.radians(1)
