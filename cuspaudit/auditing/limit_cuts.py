@@ -17,11 +17,11 @@ from typing import Any
 
 from cuspaudit.auditing.cusp_witness import find_cusps
 from cuspaudit.auditing.joint_limits import has_limits
+from cuspaudit.auditing.limits_by_three import WRISTS
 from cuspaudit.auditing.pairs_apart import pairs_apart
 from cuspaudit.auditing.record import Audit
 from cuspaudit.auditing.search.cusps import moving_joints
 from cuspaudit.auditing.three_in_box import decide_three
-from cuspaudit.auditing.within_limits import WRISTS
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import RetryableError, UnableError
 from cuspaudit.kinematics.exact_model import ExactModel

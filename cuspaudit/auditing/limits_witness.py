@@ -8,6 +8,7 @@ which the verdict is about, and shown for the numbers of the file where it is on
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
 from itertools import islice
 
 import numpy as np
@@ -16,6 +17,7 @@ from numpy.typing import NDArray
 from cuspaudit.auditing.answer import Answer
 from cuspaudit.auditing.cusp_witness import CuspWitness
 from cuspaudit.auditing.joint_limits import interval_of, rational_limits
+from cuspaudit.auditing.limits_result import WithinLimits
 from cuspaudit.auditing.search.around_cusp import paths_around, slack_of
 from cuspaudit.auditing.search.lift import close, lift_position
 from cuspaudit.auditing.search.lift_inside import centred, lift_wrist_inside
@@ -27,7 +29,14 @@ from cuspaudit.kinematics.exact_model import ExactModel
 from cuspaudit.robot.chain import Chain, reverse
 from cuspaudit.runtime.clock import check_time
 
-__all__ = ["first_proved", "limited", "paths_of_cells", "paths_of_cusps", "slack"]
+__all__ = [
+    "first_proved",
+    "limited",
+    "paths_of_cells",
+    "paths_of_cusps",
+    "shown",
+    "slack",
+]
 
 Array = NDArray[np.float64]
 
@@ -67,6 +76,13 @@ def first_proved(paths: Iterable[Array], chains: Sequence[Chain]) -> Witness | N
 def slack(witness: Witness) -> float:
     """How near the path of a witness comes to a limit."""
     return slack_of(witness.path, _intervals(witness.chain))
+
+
+def shown(result: WithinLimits, witness: Witness | None) -> WithinLimits:
+    """The same with a path to look at, if there is one."""
+    if witness is None:
+        return result
+    return replace(result, witness=witness, slack=slack(witness))
 
 
 def paths_of_cusps(cusps: Iterable[CuspWitness]) -> Iterator[Array]:

@@ -33,27 +33,25 @@ from itertools import islice
 from cuspaudit.auditing.answer import Answer
 from cuspaudit.auditing.cusp_witness import CuspWitness, find_cusps, same_cusp
 from cuspaudit.auditing.joint_limits import has_limits, interval_of
+from cuspaudit.auditing.limits_by_three import box_of, by_three, with_path
 from cuspaudit.auditing.limits_result import FreeWitness, WithinLimits
 from cuspaudit.auditing.limits_witness import (
     first_proved,
     limited,
-    paths_of_cells,
     paths_of_cusps,
-    slack,
+    shown,
 )
 from cuspaudit.auditing.pairs_apart import pairs_apart
 from cuspaudit.auditing.search.box_search import paths_inside
-from cuspaudit.auditing.three_in_box import ThreeInBox, aspects_in_box, decide_three
+from cuspaudit.auditing.three_in_box import aspects_in_box
 from cuspaudit.auditing.witness import Witness
 from cuspaudit.cuspidality.verdict import Verdict
-from cuspaudit.errors import RetryableError, TimeLimitError, UnableError
+from cuspaudit.errors import RetryableError, UnableError
 from cuspaudit.robot.chain import Chain
 from cuspaudit.runtime.clock import Clock
 
-__all__ = ["WRISTS", "within_limits"]
+__all__ = ["within_limits"]
 
-_EXACT = ("FLINT resultants", "FLINT root isolation", "ball arithmetic")
-WRISTS = ("spherical wrist", "spherical shoulder")
 _CUSPS = 2
 _TRIES = 12
 
@@ -91,7 +89,7 @@ def within_limits(
         )
     clock.step("limits", always=True)
     try:
-        result = _cuspidal(nothing, found, literal, seed) or _exactly(
+        result = _cuspidal(nothing, found, literal, seed) or by_three(
             nothing, found, literal, clock
         )
         if result is None or result.verdict is Verdict.UNDECIDED:
@@ -123,7 +121,7 @@ def _of_six(
     if witness is None:
         why = f"{open_.why}; a search inside the limits met no path that was proved"
         return replace(open_, why=why)
-    return _shown(
+    return shown(
         replace(
             open_,
             verdict=Verdict.CUSPIDAL,
@@ -150,11 +148,11 @@ def _to_look_at(
     if result.kind != "cusp":
         return result
     try:
-        box = _box(found, clock)
+        box = box_of(found, clock)
         if box is not None:
-            result = _with_path(result, found, box, literal)
+            result = with_path(result, found, box, literal)
         if result.witness is None and found.model.chain.task == "pose":
-            result = _shown(result, _searched(found, literal, seed))
+            result = shown(result, _searched(found, literal, seed))
     except (UnableError, RetryableError):
         pass
     return result
@@ -176,7 +174,7 @@ def _cuspidal(
         return None
     best = _by_cusp(nothing, same_cusp(cusps[0], literal) or cusps[0])
     paths = paths_of_cusps(chain_of(cusps, islice(_cusps(found, seed), 1, _CUSPS)))
-    return _shown(best, first_proved(paths, (literal, chain)))
+    return shown(best, first_proved(paths, (literal, chain)))
 
 
 def _cusps(found: Answer, seed: int) -> Iterator[CuspWitness]:
@@ -187,13 +185,6 @@ def _cusps(found: Answer, seed: int) -> Iterator[CuspWitness]:
     for cusp in find_cusps(found.model.chain, seed):
         if own is None or cusp.posture != own.posture:
             yield cusp
-
-
-def _shown(result: WithinLimits, witness: Witness | None) -> WithinLimits:
-    """The same with a path to look at, if there is one."""
-    if witness is None:
-        return result
-    return replace(result, witness=witness, slack=slack(witness))
 
 
 def _by_path(
@@ -208,7 +199,7 @@ def _by_path(
         kind="witness",
         rests_on=("ball arithmetic",),
     )
-    return _shown(result, replace(witness, clearance=free.clearance))
+    return shown(result, replace(witness, clearance=free.clearance))
 
 
 def _by_cusp(nothing: WithinLimits, cusp: CuspWitness) -> WithinLimits:
@@ -220,93 +211,6 @@ def _by_cusp(nothing: WithinLimits, cusp: CuspWitness) -> WithinLimits:
         kind="cusp",
         rests_on=("ball arithmetic",),
         cusp=cusp,
-    )
-
-
-def _exactly(
-    nothing: WithinLimits, found: Answer, literal: Chain, clock: Clock
-) -> WithinLimits | None:
-    """What the exact routes for three joints say, of the arm or of its first three."""
-    box, reduction = _box(found, clock), found.reduction
-    if box is None:
-        return None
-    if found.model.chain.task == "position":
-        return _with_path(_of_three(nothing, box), found, box, literal)
-    assert reduction is not None, "three joints of six are those of a wrist"
-    if box.verdict is Verdict.NONCUSPIDAL:
-        why = (
-            f"{reduction.kind}: the three joints that place its centre are noncuspidal "
-            f"within their limits; {box.why}"
-        )
-        three = _of_three(nothing, box)
-        return replace(three, why=why, kind="reduction", aspects=nothing.aspects)
-    if box.verdict is Verdict.CUSPIDAL:
-        return _of_wrist(nothing, found, box, literal)
-    return None
-
-
-def _box(found: Answer, clock: Clock) -> ThreeInBox | None:
-    """Three joints within their limits: the arm, or those before a wrist; else None.
-
-    Raises:
-        UnableError: of three joints that are the arm, out of reach.
-    """
-    if found.model.chain.task == "position":
-        return decide_three(found.model, clock)
-    reduction = found.reduction
-    if reduction is None or reduction.regional is None or reduction.kind not in WRISTS:
-        return None
-    try:
-        return decide_three(reduction.regional, clock)
-    except TimeLimitError:
-        raise
-    except (UnableError, RetryableError):
-        return None
-
-
-def _of_wrist(
-    nothing: WithinLimits, found: Answer, box: ThreeInBox, literal: Chain
-) -> WithinLimits:
-    """CUSPIDAL by a path of the three joints that the wrist follows in its limits."""
-    assert found.reduction is not None
-    chains = (literal, found.model.chain)
-    witness = first_proved(paths_of_cells(found, box), chains)
-    if witness is None:
-        why = (
-            f"{found.reduction.kind}: the three joints that place its centre are "
-            "cuspidal within their limits, but no wrist was met that follows them and "
-            "brings the hand back within its own"
-        )
-        return replace(nothing, why=why)
-    result = replace(
-        nothing,
-        verdict=Verdict.CUSPIDAL,
-        why=f"{found.reduction.kind}: {box.why}, and the wrist follows",
-        kind="witness",
-        rests_on=("ball arithmetic",),
-    )
-    return _shown(result, witness)
-
-
-def _with_path(
-    result: WithinLimits, found: Answer, box: ThreeInBox, literal: Chain
-) -> WithinLimits:
-    """With a path through the cells of the box, of a CUSPIDAL."""
-    if box.verdict is not Verdict.CUSPIDAL:
-        return result
-    chains = (literal, found.model.chain)
-    return _shown(result, first_proved(paths_of_cells(found, box), chains))
-
-
-def _of_three(nothing: WithinLimits, box: ThreeInBox) -> WithinLimits:
-    decided = box.verdict is not Verdict.UNDECIDED
-    return replace(
-        nothing,
-        verdict=box.verdict,
-        why=box.why,
-        kind="exact" if decided else "none",
-        rests_on=_EXACT if decided else (),
-        aspects=box.aspects,
     )
 
 
