@@ -122,6 +122,7 @@ def test_where_no_wrist_is_met_the_search_says_so() -> None:
         lift_wrist_inside(SIX, regional, limits)
 
 
+@pytest.mark.slow
 def test_a_wrist_shows_a_path_of_its_three_joints() -> None:
     """Six joints, a cusp that no path goes round in a short range of joint 1."""
     chain = limited(SIX, ((-1, 1), None, None, None, None, None))

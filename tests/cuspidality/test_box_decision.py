@@ -10,13 +10,14 @@ from fractions import Fraction
 import pytest
 from flint import arb
 from joint_boxes import Limits, arm_of, of_slide, within, within_by_values
-from short_tables import arm
+from short_tables import arm, shift
 
 from cuspaudit.cuspidality.pair_decision import decide_pairs
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.kinematics.exact_model import exact_model
 from cuspaudit.kinematics.polynomial_map import reduced_map
 from cuspaudit.kinematics.tip_circles import tip_across
+from cuspaudit.robot.chain import X_AXIS, Angle, Rotation
 
 ISSAC = arm((1, 2, "3/2"), (0, 1, 0), (-90, 90, 0))
 SKEW = arm((1, "7/5", "4/5"), ("1/10", "1/2", "1/5"), (60, 90, 0))
@@ -158,7 +159,9 @@ def test_triangular_arms_have_box_aspects() -> None:
     assert (found.aspects.count, found.aspects.proved) == (6, True)
 
 
-@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize(
+    "seed", [0, *(pytest.param(k, marks=pytest.mark.slow) for k in (1, 2, 3))]
+)
 def test_a_second_joint_that_slides_has_pairs(seed: int) -> None:
     """Pairs and sample values agree, verdict and aspects, where joint 2 slides."""
     rng = random.Random(seed)
@@ -175,17 +178,39 @@ def test_a_short_first_joint_before_a_slide_leaves_fewer_couples() -> None:
     """Each couple asks of joint 1 less than its range, and a cusp keeps some."""
     chain = arm(("1/2", "1/5", 2), ("1/10", 0, "1/5"), (60, 45, 30), "RPR")
     across = tip_across(exact_model(chain))
-    for width in (20, 60):
-        found = of_slide(chain, ((0, width), (-4, 3), (-170, 170)))
-        assert found.verdict is Verdict.CUSPIDAL
-        most = math.cos(math.radians(width))
-        for couple in found.couples:
-            ends = []
-            for end in couple.postures:
-                values = {"q2": end.fiber_point(64)[0]}
-                values |= found.surface.base.coordinates(arb(end.base[0]))
-                ends.append(
-                    [float(found.surface.ring.evaluate(p, values)) for p in across]
-                )
-            (a, b), (c, d) = ends
-            assert a * c + b * d > most * (a * a + b * b)
+    width = 20
+    found = of_slide(chain, ((0, width), (-4, 3), (-170, 170)))
+    assert found.verdict is Verdict.CUSPIDAL
+    most = math.cos(math.radians(width))
+    for couple in found.couples:
+        ends = []
+        for end in couple.postures:
+            values = {"q2": end.fiber_point(64)[0]}
+            values |= found.surface.base.coordinates(arb(end.base[0]))
+            ends.append([float(found.surface.ring.evaluate(p, values)) for p in across])
+        (a, b), (c, d) = ends
+        assert a * c + b * d > most * (a * a + b * b)
+
+
+def test_base_and_tool_change_nothing_within_limits() -> None:
+    """The arm stands elsewhere, its tip turned about the last axis's point: one box."""
+    limits = (None, (-170, -30), (-40, 170))
+    moved = ISSAC.with_joints(
+        [
+            replace(
+                ISSAC.joints[0],
+                before=(
+                    shift(3, -2, 1),
+                    Rotation(X_AXIS, Angle(Fraction(1, 3))),
+                    *ISSAC.joints[0].before,
+                ),
+            ),
+            *ISSAC.joints[1:],
+        ]
+    )
+    turned = replace(ISSAC, tool=(*ISSAC.tool, Rotation(X_AXIS, Angle(Fraction(1, 7)))))
+    first = within(ISSAC, limits)
+    for chain in (moved, turned):
+        found = within(chain, limits)
+        assert (found.verdict, found.aspects) == (first.verdict, first.aspects)
+        assert len(found.couples) == len(first.couples)
