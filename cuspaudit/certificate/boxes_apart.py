@@ -84,10 +84,11 @@ class Apart:
 
     def sentence(self) -> str:
         """What is proved, in one sentence."""
+        count = self.injective + self.apart + self.signs
         return (
-            f"no two postures of one pose lie in one aspect inside the limits: proved "
-            f"for {self.injective + self.apart + self.signs} pairs of boxes, on "
-            f"{self.injective} of which the pose tells joint values apart"
+            "no two postures of one pose lie in one aspect inside the limits: proved "
+            f"for {count} pair{'s' if count > 1 else ''} of boxes, in {self.injective} "
+            "of which the pose tells joint values apart"
         )
 
 
