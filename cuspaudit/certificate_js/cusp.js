@@ -90,7 +90,7 @@ class Field {
     const centre = posture.map((x, i) => (joints.includes(i) ? interval(middle(x)) : x));
     const { h, g } = this.flow(centre);
     const newton = applied([h, g]);
-    for (let reach = 2 * Math.max(...newton.map(magnitude), powerOfTwo(-50)); reach < this.farthest / 2; reach *= 2) {
+    for (let reach = 2 * Math.max(...newton.map(magnitude), powerOfTwo(-50)); reach <= this.farthest; reach *= 2) {
       const box = centre.map((x, i) => (joints.includes(i) ? widened(x, reach) : x));
       const A = this.derivative(box, joints), step = interval(-reach, reach);
       const columns = [0, 1].map((j) => applied([A[0][j], A[1][j]]));

@@ -17,6 +17,7 @@ import numpy as np
 
 from cuspaudit.certificate import (
     CertifiedJoint,
+    Loose,
     Motion,
     PathCertificate,
     Rotate,
@@ -79,6 +80,8 @@ def _matrix(axis: Sequence[Any], angle: float) -> np.ndarray:
 
 def _motion(motion: Motion) -> np.ndarray:
     T = np.eye(4)
+    if isinstance(motion, Loose):
+        return T  # as drawn
     if isinstance(motion, Translate):
         T[:3, 3] = [float(x) for x in motion.vector]
     else:

@@ -9,33 +9,29 @@ import subprocess
 from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
-from itertools import pairwise
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
 from certified_arms import (
     ARMS,
     crx,
-    det,
     divided,
     excursion,
     issac,
-    kinematics,
     moved,
     sliding,
     with_offset,
 )
+from false_claims import is_false
 from second_checker import FOLDER, NODE, needs_node, second_answers
 from structured_arms import some_pairs, some_structures
 
 from cuspaudit.certificate import (
     Certificate,
+    CuspCertificate,
     PathCertificate,
-    StructureCertificate,
     read_certificate,
-    text_from_certificate,
     verify,
     write_certificate,
 )
@@ -46,6 +42,8 @@ pytestmark = needs_node
 CONFORMANCE = Path(__file__).parents[2] / "certificates"
 ACCEPTED = sorted((CONFORMANCE / "accepted").glob("*.json"))
 FORGED = sorted((CONFORMANCE / "forged").glob("*.json"))
+SLOW = ("crx-", "gofa-", "hc10-", "lwa4p-", "piper-", "xarm6-every", "limits-within")
+"""Certificates that take a checker longer than others; the digits of others change."""
 REASONS = json.loads((CONFORMANCE / "reasons.json").read_text())
 
 
@@ -193,91 +191,41 @@ def _in_a_name(text: str, place: int) -> bool:
     return text[max(0, before - 8) : before + 1] == '"name": "'
 
 
-def is_false(claim: Certificate) -> bool:
-    """Whether floating point shows that the claim does not hold, beyond doubt.
+def mutants(count: int, seed: int, kind: str = "") -> list[str]:
+    """Texts with one digit changed, of certificates in turn.
 
-    A path: the values of the two postures differ by more than 1e-7, the ends do not
-    fit, or det J has the wrong sign at one of 300 points. A structure: an angle or a
-    distance that ought to be 0 is more than 1e-9.
+    Without a kind: of every one but pairs, which are long in being refused.
     """
-    if isinstance(claim, PathCertificate):
-        return _is_false_path(claim)
-    assert isinstance(claim, StructureCertificate)
-    return _is_false_structure(claim)
-
-
-def _is_false_path(claim: PathCertificate) -> bool:
-    first, second = claim.postures
-    if claim.path[0] != first or claim.path[-1] != second:
-        return True
-    (T, _), (U, _) = kinematics(claim, first), kinematics(claim, second)  # type: ignore[arg-type]
-    rows = T[:3] - U[:3] if len(claim.joints) == 6 else T[:3, 3] - U[:3, 3]
-    if np.abs(rows).max() > 1e-7:
-        return True
-    for a, b in pairwise(claim.path):
-        for s in np.linspace(0, 1, 300 // (len(claim.path) - 1)):
-            q = [float(x) + s * float(y - x) for x, y in zip(a, b, strict=True)]
-            if claim.sign * det(claim, q) < -1e-12:
-                return True
-    return False
-
-
-def _is_false_structure(claim: StructureCertificate) -> bool:
-    q = [0.3 * k for k, _ in enumerate(claim.joints)]
-    lines = _lines(claim, q)
-    for relation in claim.relations:
-        chosen = [lines[k - 1] for k in relation.axes]
-        for (u, p), (v, r) in pairwise(chosen):
-            normal = np.cross(u, v)
-            if relation.word == "parallel" and np.linalg.norm(normal) > 1e-9:
-                return True
-            if relation.word == "square" and abs(u @ v) > 1e-9:
-                return True
-            if relation.word == "meeting" and abs((r - p) @ normal) > 1e-9:
-                return True
-    return False
-
-
-def _lines(claim: Any, q: Sequence[float]) -> list[tuple[np.ndarray, np.ndarray]]:
-    """Direction and a point of each axis at joint values q, in floats."""
-    _, J = kinematics(claim, q)
-    tip = kinematics(claim, q)[0][:3, 3]
-    found = []
-    for k, joint in enumerate(claim.joints):
-        w, v = (J[3:, k], J[:3, k]) if joint.kind == "revolute" else (J[:3, k], None)
-        # v = w x (tip - p), with w of length 1: p = tip - v x w is on the axis
-        found.append((w, tip if v is None else tip - np.cross(v, w)))
-    return found
-
-
-def mutants(count: int, seed: int) -> list[str]:
-    """Texts with one digit changed, of certificates of every kind in turn."""
     rng = random.Random(seed)
-    texts = [
-        text_from_certificate(replace(claim, made_by=""))
-        for claim in (
-            *(ARMS[name]() for name in ("issac", "sliding", "crx", "jaco_gen2")),
-            *some_structures().values(),
-        )
-    ]
+    quick = [file for file in ACCEPTED if not file.stem.startswith(SLOW)]
+    files = [f for f in quick if f.stem.endswith("pairs") == (kind == "pairs")]
+    texts = [file.read_text() for file in files]
     return [one_digit_changed(texts[k % len(texts)], rng) for k in range(count)]
 
 
-def check_mutants(folder: Path, count: int, seed: int) -> tuple[int, int]:
-    """Neither checker accepts what has become false; how many are false, accepted."""
+def check_mutants(
+    folder: Path, count: int, seed: int, kind: str = ""
+) -> tuple[int, int]:
+    """Neither checker accepts what has become false; how many are false, accepted.
+
+    Both give one answer, but for a cusp whose posture has moved a little: it is still
+    next to the cusp, and doubles may be too coarse to reach it.
+    """
     files, false, accepted = [], 0, 0
-    for index, text in enumerate(mutants(count, seed)):
+    for index, text in enumerate(mutants(count, seed, kind)):
         files.append(folder / f"{index}.json")
         files[-1].write_text(text)
     second = second_answers(files)
     for file in files:
         answers = first_answer(file), second[file].accepted
-        assert answers[0] == answers[1], (file.read_text(), second[file].reason)
         try:
-            false_now = is_false(read_certificate(file))
+            claim = read_certificate(file)
+            false_now, is_cusp = is_false(claim), isinstance(claim, CuspCertificate)
         except InvalidCertificateError:
-            false_now = True
-        false, accepted = false + false_now, accepted + answers[0]
+            false_now, is_cusp = True, False
+        if not (is_cusp and answers[0]):
+            assert answers[0] == answers[1], (file.read_text(), second[file].reason)
+        false, accepted = false + false_now, accepted + all(answers)
         assert not (false_now and any(answers)), file.read_text()
     return false, accepted
 
@@ -295,3 +243,10 @@ def test_a_thousand_digits(tmp_path: Path) -> None:
     false, accepted = check_mutants(tmp_path, 1000, 2)
     assert false >= 300
     assert accepted >= 100
+
+
+@pytest.mark.slow
+def test_digits_of_pairs(tmp_path: Path) -> None:
+    """Of pairs too no false one is accepted: arms that have got a cusp."""
+    _, accepted = check_mutants(tmp_path, 6, 3, "pairs")
+    assert accepted >= 1
