@@ -18,8 +18,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from cuspaudit.auditing.audit import audit
-from cuspaudit.auditing.certificates import certificate_text
 from cuspaudit.auditing.options import Options
+from cuspaudit.auditing.proofs.certificates import certificate_text
 from cuspaudit.certificate import certificate_from_text, verify
 from cuspaudit.errors import CuspauditError
 from cuspaudit.robot.library import open_robot

@@ -18,11 +18,14 @@ from typing import Any
 
 from flint import fmpq, fmpq_poly, fmpz, fmpz_poly
 
-from cuspaudit.algebra.finite_algebra import linear_forms
 from cuspaudit.algebra.msolve import msolve_text, run_msolve
-from cuspaudit.algebra.parametrization import ZeroDimensionalParametrization, empty_set
+from cuspaudit.algebra.points.finite_algebra import linear_forms
+from cuspaudit.algebra.points.parametrization import (
+    ZeroDimensionalParametrization,
+    empty_set,
+)
+from cuspaudit.algebra.points.union import restricted
 from cuspaudit.algebra.ring import Polynomial, Ring
-from cuspaudit.algebra.union import restricted
 from cuspaudit.errors import InvalidSystemError, UnableError
 from cuspaudit.runtime.clock import check_time
 

@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from cuspaudit.auditing.certificates import certificate_text
-from cuspaudit.auditing.proof_record import proof_record
+from cuspaudit.auditing.proofs.certificates import certificate_text
+from cuspaudit.auditing.proofs.proof_record import proof_record
 from cuspaudit.count import Count
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.robot.frames import jacobian

@@ -15,8 +15,8 @@ import cuspaudit
 from cuspaudit.atlas.entry import Entry, entry_from_record, failed_entry
 from cuspaudit.atlas.picture import picture
 from cuspaudit.auditing.audit import Options, audit
-from cuspaudit.auditing.certificates import certificate_text
-from cuspaudit.auditing.certified_robot import regular_posture
+from cuspaudit.auditing.proofs.certificates import certificate_text
+from cuspaudit.auditing.proofs.certified_robot import regular_posture
 from cuspaudit.auditing.record import Audit
 from cuspaudit.errors import CuspauditError, unforeseen
 from cuspaudit.pictures.page import page_text

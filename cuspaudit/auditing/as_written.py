@@ -10,8 +10,8 @@ from cuspaudit.auditing.answer import Answer
 from cuspaudit.auditing.case import HAIR_POSES, Case
 from cuspaudit.auditing.deciders.decide import decide
 from cuspaudit.auditing.deciders.registry import HAIR
+from cuspaudit.auditing.proofs.structure_certificate import structure_certificate
 from cuspaudit.auditing.search.lift import close
-from cuspaudit.auditing.structure_certificate import structure_certificate
 from cuspaudit.auditing.witness import Witness, certified
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import AssumptionError, RetryableError, UnableError

@@ -14,7 +14,7 @@ from cuspaudit.auditing.case import Case
 from cuspaudit.auditing.crosscheck.compare import CrossCheck, crosscheck
 from cuspaudit.auditing.crosscheck.pinocchio_model import is_readable
 from cuspaudit.auditing.deciders.decide import decide
-from cuspaudit.auditing.joint_limits import has_limits
+from cuspaudit.auditing.limits.joint_limits import has_limits
 from cuspaudit.auditing.options import Options
 from cuspaudit.auditing.record import Audit
 from cuspaudit.auditing.structures import Structure, near_structures, why_undecided
@@ -34,7 +34,7 @@ from cuspaudit.robot.virtual_joint import with_virtual_joint
 from cuspaudit.runtime.clock import Clock, time_limit
 
 if TYPE_CHECKING:
-    from cuspaudit.auditing.limits_result import WithinLimits
+    from cuspaudit.auditing.limits.limits_result import WithinLimits
     from cuspaudit.auditing.tolerance.over_tolerance import OverTolerance
     from cuspaudit.robot.chain import Chain
 
@@ -116,7 +116,7 @@ def _within_limits(
     """The verdict within limits; an arm without any loads nothing for it."""
     if not has_limits(found.model.chain):
         return None
-    from cuspaudit.auditing.within_limits import within_limits
+    from cuspaudit.auditing.limits.within_limits import within_limits
 
     return within_limits(found, literal, seed, clock)
 

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from fractions import Fraction
 from itertools import islice
 
-from cuspaudit.auditing.certified_robot import certified_robot
-from cuspaudit.auditing.joint_limits import interval_of, rational_limits
+from cuspaudit.auditing.limits.joint_limits import interval_of, rational_limits
+from cuspaudit.auditing.proofs.certified_robot import certified_robot
 from cuspaudit.auditing.search.cusps import FoundCusp, refined_cusp, search_cusps
 from cuspaudit.certificate import CuspCertificate, Verification, verify
 from cuspaudit.robot.chain import Chain

@@ -13,7 +13,7 @@ from cuspaudit.algebra.ring import Rational
 from cuspaudit.kinematics.exact_model import ExactModel
 
 if TYPE_CHECKING:
-    from cuspaudit.algebra.parametrization import RealPoint
+    from cuspaudit.algebra.points.parametrization import RealPoint
 
 __all__ = ["Crowd", "Label", "PairMaximum", "PairRecord", "SearchRecord"]
 

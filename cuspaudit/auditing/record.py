@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from cuspaudit.auditing.as_written import AsWritten
     from cuspaudit.auditing.crosscheck.compare import CrossCheck
     from cuspaudit.auditing.cusp_witness import CuspWitness
-    from cuspaudit.auditing.limits_result import WithinLimits
+    from cuspaudit.auditing.limits.limits_result import WithinLimits
     from cuspaudit.auditing.structures import Structure
     from cuspaudit.auditing.tolerance.over_tolerance import OverTolerance
     from cuspaudit.auditing.witness import Witness

@@ -15,7 +15,7 @@ from typing import Any
 from cuspaudit.auditing.answer import Answer
 from cuspaudit.auditing.aspects import count_aspects
 from cuspaudit.auditing.deciders.decide import answer
-from cuspaudit.auditing.structure_certificate import structure_certificate
+from cuspaudit.auditing.proofs.structure_certificate import structure_certificate
 from cuspaudit.count import Count
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import UnableError

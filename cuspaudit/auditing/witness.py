@@ -8,7 +8,7 @@ from fractions import Fraction
 import numpy as np
 from numpy.typing import NDArray
 
-from cuspaudit.auditing.certified_robot import certified_robot
+from cuspaudit.auditing.proofs.certified_robot import certified_robot
 from cuspaudit.certificate import (
     Limits,
     PathCertificate,

@@ -25,9 +25,9 @@ from cuspaudit.certificate.balls import (
     times,
     turned,
 )
+from cuspaudit.certificate.loose.play import frame_of, steps_of_links
 from cuspaudit.certificate.model import Certificate, CertifiedJoint
 from cuspaudit.certificate.motions import Axis, axis_from_vector
-from cuspaudit.certificate.play import frame_of, steps_of_links
 
 __all__ = ["Arm", "ArmJoint", "Screw", "arm_from_certificate"]
 

@@ -136,11 +136,11 @@ def _proof(certificate: Certificate) -> Proof:
 
             if not is_loose(certificate):
                 return PathProof(certificate, Cover(certificate))
-            from cuspaudit.certificate.loose_cover import LooseCover
+            from cuspaudit.certificate.loose.loose_cover import LooseCover
 
             return PathProof(certificate, LooseCover(certificate))
         case LockCertificate():
-            from cuspaudit.certificate.lock_proof import LockProof
+            from cuspaudit.certificate.lock.lock_proof import LockProof
 
             return LockProof(certificate)
         case CuspCertificate():
@@ -148,11 +148,11 @@ def _proof(certificate: Certificate) -> Proof:
 
             return CuspProof(certificate)
         case PairsCertificate():
-            from cuspaudit.certificate.pairs_proof import PairsProof
+            from cuspaudit.certificate.pairs.pairs_proof import PairsProof
 
             return PairsProof(certificate)
         case StructureCertificate():
-            from cuspaudit.certificate.structure_proof import StructureProof
+            from cuspaudit.certificate.structure.structure_proof import StructureProof
 
             return StructureProof(certificate)
     raise TypeError(f"no kind of certificate: {type(certificate).__name__}")

@@ -39,8 +39,8 @@ from cuspaudit.certificate.determinant import (
     jacobian_determinant,
 )
 from cuspaudit.certificate.limits_proof import check_box_inside, within
+from cuspaudit.certificate.loose.play import for_every_robot
 from cuspaudit.certificate.model import CuspCertificate, is_loose, printable
-from cuspaudit.certificate.play import for_every_robot
 
 __all__ = ["CuspProof"]
 

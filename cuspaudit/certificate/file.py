@@ -53,7 +53,6 @@ from fractions import Fraction
 from pathlib import Path
 from typing import Any, NoReturn
 
-from cuspaudit.certificate.exact import text_from_fraction
 from cuspaudit.certificate.model import (
     Certificate,
     CuspCertificate,
@@ -67,6 +66,7 @@ from cuspaudit.certificate.model import (
     check_certificate,
 )
 from cuspaudit.certificate.reading import SCHEMA, Place, certificate_from_json
+from cuspaudit.certificate.structure.exact import text_from_fraction
 
 __all__ = [
     "certificate_from_text",

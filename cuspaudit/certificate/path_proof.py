@@ -40,11 +40,11 @@ from cuspaudit.certificate.limits_proof import (
     check_way_points,
     within,
 )
+from cuspaudit.certificate.loose.play import for_every_robot, without_play
 from cuspaudit.certificate.model import PathCertificate, is_loose, printable
-from cuspaudit.certificate.play import for_every_robot, without_play
 
 if TYPE_CHECKING:
-    from cuspaudit.certificate.loose_cover import LooseCover
+    from cuspaudit.certificate.loose.loose_cover import LooseCover
 
 __all__ = ["PathProof"]
 
@@ -146,9 +146,9 @@ class PathProof:
 
     def _all_ends(self, values: Sequence[arb], height: arb) -> arb:
         """The same of every robot that the play allows."""
-        from cuspaudit.certificate.loose_arm import loose_arm  # most have no play
-        from cuspaudit.certificate.loose_cover import BITS
-        from cuspaudit.certificate.loose_posture import second_postures
+        from cuspaudit.certificate.loose.loose_arm import loose_arm  # most have no play
+        from cuspaudit.certificate.loose.loose_cover import BITS
+        from cuspaudit.certificate.loose.loose_posture import second_postures
 
         with working_precision(BITS):
             first, _ = self._postures()

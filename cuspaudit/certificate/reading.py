@@ -13,7 +13,6 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any, Literal, NoReturn, TypeVar, cast
 
-from cuspaudit.certificate.exact import fraction_from_text
 from cuspaudit.certificate.model import (
     Certificate,
     CertifiedJoint,
@@ -38,6 +37,7 @@ from cuspaudit.certificate.model import (
     Word,
     is_loose,
 )
+from cuspaudit.certificate.structure.exact import fraction_from_text
 from cuspaudit.errors import InvalidCertificateError
 
 __all__ = ["SCHEMA", "Place", "certificate_from_json"]

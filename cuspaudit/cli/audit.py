@@ -96,8 +96,8 @@ def audit(
     ] = False,
 ) -> None:
     """Import, decide, certify, cross-check and report: the main job."""
-    from cuspaudit.auditing.certificates import certificate_text, is_of_many_arms
-    from cuspaudit.auditing.proof_record import proof_record
+    from cuspaudit.auditing.proofs.certificates import certificate_text, is_of_many_arms
+    from cuspaudit.auditing.proofs.proof_record import proof_record
     from cuspaudit.robot.proposals import check_task
     from cuspaudit.runtime.waiting import waited
     from cuspaudit.runtime.writing import write_text
@@ -156,7 +156,7 @@ def audit(
     if certificate:
         write_text(certificate, proof or proof_record(result.answer))
     if html:
-        from cuspaudit.auditing.limit_cuts import cuts_of
+        from cuspaudit.auditing.limits.limit_cuts import cuts_of
         from cuspaudit.pictures.page import page_text
 
         if result.within is not None:

@@ -32,9 +32,9 @@ def audit_with_calibration(
 ) -> None:
     """Audit both, print and write what was found; exit by the built arm's verdict."""
     from cuspaudit.auditing.calibrated import audit_calibrated
-    from cuspaudit.auditing.certificates import certificate_text
     from cuspaudit.auditing.options import Options
-    from cuspaudit.auditing.proof_record import proof_record
+    from cuspaudit.auditing.proofs.certificates import certificate_text
+    from cuspaudit.auditing.proofs.proof_record import proof_record
     from cuspaudit.robot.calibration import read_calibration
     from cuspaudit.robot.snap_policy import policy_from_name
     from cuspaudit.runtime.waiting import waited

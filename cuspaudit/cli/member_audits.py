@@ -59,7 +59,7 @@ def _indices(files: Mapping[int, str], wanted: Sequence[str]) -> list[int]:
 
 
 def _audit(folder: Path, index: int, text: str) -> None:
-    from cuspaudit.auditing.certificates import certificate_text
+    from cuspaudit.auditing.proofs.certificates import certificate_text
     from cuspaudit.pictures.page import page_text
     from cuspaudit.robot.library import open_robot
     from cuspaudit.runtime.writing import write_text

@@ -41,7 +41,7 @@ def show(
     seed: Seed = 0,
 ) -> None:
     """Show the witness path in a browser, or the postures of one pose."""
-    from cuspaudit.auditing.certificates import certificate_text
+    from cuspaudit.auditing.proofs.certificates import certificate_text
     from cuspaudit.pictures.page import page_text
     from cuspaudit.robot.formats.registry import format_of
     from cuspaudit.runtime.writing import check_writable, write_text

@@ -33,13 +33,13 @@ from numpy.typing import NDArray
 
 from cuspaudit.algebra.evaluation import Evaluator
 from cuspaudit.algebra.msolve_points import msolve_points
-from cuspaudit.algebra.parametrization import (
+from cuspaudit.algebra.points.parametrization import (
     RealPoint,
     ZeroDimensionalParametrization,
 )
+from cuspaudit.algebra.points.zero_dimensional import solve_zero_dimensional
 from cuspaudit.algebra.ring import Polynomial
 from cuspaudit.algebra.system import PolynomialMap, PolynomialSystem
-from cuspaudit.algebra.zero_dimensional import solve_zero_dimensional
 from cuspaudit.errors import NotZeroDimensionalError, PrecisionError, UnableError
 from cuspaudit.geometry.heights.charted_height import ChartedHeight
 from cuspaudit.geometry.heights.critical_points import box_of

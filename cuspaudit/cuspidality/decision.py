@@ -31,13 +31,13 @@ import numpy as np
 from flint import fmpq
 from numpy.typing import NDArray
 
-from cuspaudit.algebra.parametrization import (
+from cuspaudit.algebra.points.parametrization import (
     RealPoint,
     ZeroDimensionalParametrization,
 )
+from cuspaudit.algebra.points.union import restricted
 from cuspaudit.algebra.ring import Polynomial
 from cuspaudit.algebra.system import PolynomialMap, PolynomialSystem
-from cuspaudit.algebra.union import restricted
 from cuspaudit.cuspidality.couple_first import (
     Couple,
     Value,

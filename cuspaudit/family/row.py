@@ -117,7 +117,7 @@ def _counts_alone(family: Family) -> frozenset[str] | None:
 def _within_limits(found: Answer, chain: Chain, seed: int) -> str | None:
     """The verdict within the limits of a member; None where it has none."""
     # loaded only by the families that ask
-    from cuspaudit.auditing.within_limits import within_limits
+    from cuspaudit.auditing.limits.within_limits import within_limits
 
     within = within_limits(found, chain, seed, Clock())
     return None if within is None else within.verdict.value

@@ -18,14 +18,14 @@ from __future__ import annotations
 
 from itertools import combinations
 
-from cuspaudit.algebra.border_bound import is_dimension_below
-from cuspaudit.algebra.ideal import (
+from cuspaudit.algebra.matrix import determinant, jacobian
+from cuspaudit.algebra.points.border_bound import is_dimension_below
+from cuspaudit.algebra.points.ideal import (
     GroebnerBasis,
     dimension_bound,
     groebner_basis,
 )
-from cuspaudit.algebra.localization import with_inverse
-from cuspaudit.algebra.matrix import determinant, jacobian
+from cuspaudit.algebra.points.localization import with_inverse
 from cuspaudit.algebra.ring import Polynomial, Ring
 from cuspaudit.algebra.system import PolynomialSystem
 from cuspaudit.errors import (

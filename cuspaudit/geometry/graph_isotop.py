@@ -36,14 +36,14 @@ import networkx as nx
 from flint import arb, ctx
 
 from cuspaudit.algebra.matrix import determinant, jacobian
-from cuspaudit.algebra.parametrization import (
+from cuspaudit.algebra.points.parametrization import (
     RealPoint,
     ZeroDimensionalParametrization,
     empty_set,
 )
+from cuspaudit.algebra.points.union import with_form
 from cuspaudit.algebra.ring import Polynomial
 from cuspaudit.algebra.system import PolynomialSystem
-from cuspaudit.algebra.union import with_form
 from cuspaudit.algebra.univariate import RealRoot
 from cuspaudit.errors import CrossCheckError, NotOnVarietyError, UnableError
 from cuspaudit.geometry.curves.fiber import CurveFiber, Place

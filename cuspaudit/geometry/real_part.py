@@ -18,13 +18,13 @@ from itertools import combinations
 
 from flint import fmpq
 
-from cuspaudit.algebra.ideal import GroebnerBasis, groebner_basis
-from cuspaudit.algebra.localization import with_inverse
 from cuspaudit.algebra.matrix import determinant, jacobian
-from cuspaudit.algebra.parametrization import ZeroDimensionalParametrization
+from cuspaudit.algebra.points.ideal import GroebnerBasis, groebner_basis
+from cuspaudit.algebra.points.localization import with_inverse
+from cuspaudit.algebra.points.parametrization import ZeroDimensionalParametrization
+from cuspaudit.algebra.points.zero_dimensional import solve_zero_dimensional
 from cuspaudit.algebra.ring import Polynomial, Ring
 from cuspaudit.algebra.system import PolynomialSystem
-from cuspaudit.algebra.zero_dimensional import solve_zero_dimensional
 from cuspaudit.errors import NotZeroDimensionalError, RealPartSingularError, UnableError
 
 __all__ = ["check_real_part"]

@@ -36,7 +36,7 @@ import numpy as np
 from flint import arb, ctx, fmpq
 from numpy.typing import NDArray
 
-from cuspaudit.algebra.parametrization import RealPoint
+from cuspaudit.algebra.points.parametrization import RealPoint
 from cuspaudit.algebra.rationals import exact_rational
 from cuspaudit.algebra.ring import Ring
 from cuspaudit.algebra.system import PolynomialMap, PolynomialSystem

@@ -39,7 +39,7 @@ import numpy as np
 from flint import arb
 from numpy.typing import NDArray
 
-from cuspaudit.algebra.parametrization import RealPoint
+from cuspaudit.algebra.points.parametrization import RealPoint
 from cuspaudit.algebra.ring import Polynomial, Ring
 from cuspaudit.algebra.system import PolynomialMap, PolynomialSystem
 from cuspaudit.errors import (

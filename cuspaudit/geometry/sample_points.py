@@ -25,15 +25,15 @@ from functools import reduce
 from itertools import combinations
 from operator import mul
 
-from cuspaudit.algebra.ideal import groebner_basis
 from cuspaudit.algebra.matrix import determinant, jacobian
-from cuspaudit.algebra.parametrization import (
+from cuspaudit.algebra.points.ideal import groebner_basis
+from cuspaudit.algebra.points.parametrization import (
     RealPoint,
     ZeroDimensionalParametrization,
 )
+from cuspaudit.algebra.points.zero_dimensional import solve_zero_dimensional
 from cuspaudit.algebra.ring import Polynomial
 from cuspaudit.algebra.system import PolynomialSystem
-from cuspaudit.algebra.zero_dimensional import solve_zero_dimensional
 from cuspaudit.errors import (
     NotZeroDimensionalError,
     RealPartSingularError,

@@ -12,7 +12,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from cuspaudit.auditing.joint_limits import interval_of
+from cuspaudit.auditing.limits.joint_limits import interval_of
 from cuspaudit.pictures.joint_surface import Array, JointSurface
 
 __all__ = ["limit_sides"]

@@ -16,8 +16,8 @@ g = <p - c, c'> + N' / 2 at t and at w, times 2 L h / s > 0, are
     E - O -+ d sqrt B   and   -(E + O -+ d sqrt B),
     E = 2 cos h L^2 + r <a, k> - L A,     O = s L (2 <a, k> + N2'(m)).
 
-The proof is in ``certificate.pairs_proof``, which uses nothing of an arm but these
-circles. g is the Jacobian of the map up to one nonzero constant: it is half the
+The proof is in ``certificate.pairs.pairs_proof``, which uses nothing of an arm but
+these circles. g is the Jacobian of the map up to one nonzero constant: it is half the
 derivative by t of the equation of the circle at p (``surface.pair_sheets``).
 
 Where c moves on a line, d = 0, a and k are numbers, and E and O may be divided by

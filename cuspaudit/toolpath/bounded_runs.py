@@ -14,8 +14,10 @@ from flint import arb
 from numpy.typing import NDArray
 
 from cuspaudit.errors import UnableError
+from cuspaudit.toolpath.following.leg_system import LegSystem
+from cuspaudit.toolpath.following.runs import FreeRun
+from cuspaudit.toolpath.following.strands import Followed, turns_between
 from cuspaudit.toolpath.known import Known
-from cuspaudit.toolpath.leg_system import LegSystem
 from cuspaudit.toolpath.limits import (
     MOST_WINDINGS,
     Leaving,
@@ -23,8 +25,6 @@ from cuspaudit.toolpath.limits import (
     first_leaving,
     windings,
 )
-from cuspaudit.toolpath.runs import FreeRun
-from cuspaudit.toolpath.strands import Followed, turns_between
 from cuspaudit.toolpath.traced_arm import TracedArm
 from cuspaudit.toolpath.traced_path import End, Run
 

@@ -19,7 +19,7 @@ from itertools import product
 from flint import arb, ctx
 
 from cuspaudit.algebra.ring import rational
-from cuspaudit.auditing.joint_limits import has_limits, limit_of, ranges_of
+from cuspaudit.auditing.limits.joint_limits import has_limits, limit_of, ranges_of
 from cuspaudit.cuspidality.surface_decision import oriented
 from cuspaudit.errors import AssumptionError, RetryableError, UnableError
 from cuspaudit.kinematics.exact_model import ExactJoint

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from cuspaudit.errors import CrossCheckError
+from cuspaudit.toolpath.following.starts import Solved
+from cuspaudit.toolpath.following.strands import Followed
 from cuspaudit.toolpath.known import Known
-from cuspaudit.toolpath.starts import Solved
-from cuspaudit.toolpath.strands import Followed
 from cuspaudit.toolpath.traced_arm import TracedArm
 
 __all__ = ["check_conservation"]

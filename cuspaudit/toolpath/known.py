@@ -8,10 +8,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from cuspaudit.toolpath.leg_system import LegSystem
-from cuspaudit.toolpath.strand import settled
+from cuspaudit.toolpath.following.leg_system import LegSystem
+from cuspaudit.toolpath.following.strand import settled
+from cuspaudit.toolpath.following.tube import Knot, knot_at
 from cuspaudit.toolpath.traced_arm import TracedArm
-from cuspaudit.toolpath.tube import Knot, knot_at
 
 __all__ = ["Known", "known_posture"]
 

@@ -24,11 +24,11 @@ from cuspaudit.algebra.ring import rational
 from cuspaudit.robot.chain import Angle, Joint
 from cuspaudit.runtime.clock import time_is_up
 from cuspaudit.toolpath.ball_arm import angle_ball
-from cuspaudit.toolpath.leg_system import LegSystem
-from cuspaudit.toolpath.runs import FreeRun
-from cuspaudit.toolpath.strand import Link, settled, split
-from cuspaudit.toolpath.tube import knot_at
-from cuspaudit.toolpath.tube_axis import beside
+from cuspaudit.toolpath.following.leg_system import LegSystem
+from cuspaudit.toolpath.following.runs import FreeRun
+from cuspaudit.toolpath.following.strand import Link, settled, split
+from cuspaudit.toolpath.following.tube import knot_at
+from cuspaudit.toolpath.following.tube_axis import beside
 
 __all__ = ["Leaving", "Range", "first_leaving", "joint_ranges", "windings"]
 

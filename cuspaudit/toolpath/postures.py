@@ -12,13 +12,17 @@ from flint import arb, ctx
 from cuspaudit.runtime.clock import time_limit
 from cuspaudit.toolpath.aspect_labels import aspect_labels
 from cuspaudit.toolpath.ball_arm import BITS
+from cuspaudit.toolpath.following.margins import (
+    determinant,
+    proved_distance,
+    singular_distance,
+)
+from cuspaudit.toolpath.following.starts import solve_pose
+from cuspaudit.toolpath.following.strands import known_postures
 from cuspaudit.toolpath.joint_pose import JointValue, float_values, value_balls
 from cuspaudit.toolpath.known import Known
 from cuspaudit.toolpath.limits import joint_ranges, windings
-from cuspaudit.toolpath.margins import determinant, proved_distance, singular_distance
 from cuspaudit.toolpath.same_aspect import sign_near
-from cuspaudit.toolpath.starts import solve_pose
-from cuspaudit.toolpath.strands import known_postures
 from cuspaudit.toolpath.traced_arm import TracedArm
 from cuspaudit.toolpath.waypoints import Pose
 

@@ -13,7 +13,7 @@ from flint import ctx
 from numpy.typing import NDArray
 
 from cuspaudit.toolpath.ball_arm import BITS
-from cuspaudit.toolpath.starts import solve_pose
+from cuspaudit.toolpath.following.starts import solve_pose
 from cuspaudit.toolpath.traced_arm import TracedArm
 from cuspaudit.toolpath.traced_path import Trace
 from cuspaudit.toolpath.waypoints import Pose

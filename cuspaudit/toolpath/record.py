@@ -7,8 +7,12 @@ from typing import Any
 
 import numpy as np
 
+from cuspaudit.toolpath.following.margins import (
+    limit_margin,
+    recommended,
+    singular_margin,
+)
 from cuspaudit.toolpath.laps import laps_of
-from cuspaudit.toolpath.margins import limit_margin, recommended, singular_margin
 from cuspaudit.toolpath.reach import first_unreachable
 from cuspaudit.toolpath.recorded import recorded_motion
 from cuspaudit.toolpath.traced_path import Run, Trace

@@ -15,19 +15,19 @@ from flint import ctx
 
 from cuspaudit.runtime.clock import time_is_up, time_limit
 from cuspaudit.toolpath.ball_arm import BITS
-from cuspaudit.toolpath.births import complete_runs
 from cuspaudit.toolpath.bounded_runs import bounded_runs
 from cuspaudit.toolpath.conservation import check_conservation
-from cuspaudit.toolpath.known import Known, known_posture
-from cuspaudit.toolpath.leg_system import LegSystem
-from cuspaudit.toolpath.limits import Range, joint_ranges
-from cuspaudit.toolpath.starts import Solved, solve_pose
-from cuspaudit.toolpath.strands import (
+from cuspaudit.toolpath.following.births import complete_runs
+from cuspaudit.toolpath.following.leg_system import LegSystem
+from cuspaudit.toolpath.following.starts import Solved, solve_pose
+from cuspaudit.toolpath.following.strands import (
     Followed,
     follow_path,
     known_postures,
     turns_between,
 )
+from cuspaudit.toolpath.known import Known, known_posture
+from cuspaudit.toolpath.limits import Range, joint_ranges
 from cuspaudit.toolpath.traced_arm import TracedArm
 from cuspaudit.toolpath.traced_path import Birth, Run, Trace
 from cuspaudit.toolpath.waypoints import ToolPath

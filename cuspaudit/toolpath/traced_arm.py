@@ -26,7 +26,7 @@ from cuspaudit.robot.chain import Chain
 from cuspaudit.robot.frames import angle_value, frames
 from cuspaudit.robot.virtual_joint import with_virtual_joint
 from cuspaudit.toolpath.ball_arm import BallArm, angle_ball, ball_arm
-from cuspaudit.toolpath.leg_system import Goal, LegSystem
+from cuspaudit.toolpath.following.leg_system import Goal, LegSystem
 from cuspaudit.toolpath.waypoints import Pose, Quaternion
 
 __all__ = ["TracedArm", "traced_arm"]

@@ -15,8 +15,8 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from cuspaudit.toolpath.runs import FreeRun
-from cuspaudit.toolpath.starts import Solved
+from cuspaudit.toolpath.following.runs import FreeRun
+from cuspaudit.toolpath.following.starts import Solved
 from cuspaudit.toolpath.traced_arm import TracedArm
 from cuspaudit.toolpath.waypoints import ToolPath
 

@@ -3,9 +3,9 @@ from __future__ import annotations
 import pytest
 
 from cuspaudit.algebra.msolve_points import msolve_points, parse_parametrization
+from cuspaudit.algebra.points.zero_dimensional import solve_zero_dimensional
 from cuspaudit.algebra.ring import Polynomial, Ring
 from cuspaudit.algebra.system import PolynomialSystem
-from cuspaudit.algebra.zero_dimensional import solve_zero_dimensional
 from cuspaudit.errors import UnableError
 
 RING = Ring(["x", "y"])

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from cuspaudit.certificate.exact import (
+from cuspaudit.certificate.structure.exact import (
     LONGEST,
     fraction_from_text,
     text_from_fraction,

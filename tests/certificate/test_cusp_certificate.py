@@ -12,7 +12,7 @@ import pytest
 from flint import arb, arb_series
 from short_tables import arm
 
-from cuspaudit.auditing.certified_robot import certified_robot
+from cuspaudit.auditing.proofs.certified_robot import certified_robot
 from cuspaudit.auditing.search.cusps import search_cusps
 from cuspaudit.certificate import (
     CuspCertificate,

@@ -18,8 +18,8 @@ from box_oracle import Arm, Range, verdict
 from short_tables import arm, degrees
 
 from cuspaudit.auditing.answer import Answer
-from cuspaudit.auditing.limits_witness import first_proved, paths_of_cells
-from cuspaudit.auditing.three_in_box import decide_three
+from cuspaudit.auditing.limits.limits_witness import first_proved, paths_of_cells
+from cuspaudit.auditing.limits.three_in_box import decide_three
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import AssumptionError
 from cuspaudit.kinematics.exact_model import ExactModel, exact_model

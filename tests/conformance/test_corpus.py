@@ -17,7 +17,7 @@ import pytest
 import cuspaudit
 from cuspaudit.auditing.aspects import count_aspects
 from cuspaudit.auditing.audit import Audit, Options, audit
-from cuspaudit.auditing.certificates import certificate_text
+from cuspaudit.auditing.proofs.certificates import certificate_text
 from cuspaudit.auditing.witness import Witness
 from cuspaudit.certificate import (
     PathCertificate,

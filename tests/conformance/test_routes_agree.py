@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from random_systems import KINDS, random_system
 
-from cuspaudit.algebra.parametrization import RealPoint
+from cuspaudit.algebra.points.parametrization import RealPoint
 from cuspaudit.cuspidality.decision import points_over
 from cuspaudit.errors import AssumptionError
 from cuspaudit.geometry.assumption_a import check_assumption_a

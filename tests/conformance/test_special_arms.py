@@ -11,8 +11,8 @@ from special_arms import NONCUSPIDAL, SIX, WRITINGS, SpecialArm, special_arms
 
 from cuspaudit.auditing.as_written import AsWritten
 from cuspaudit.auditing.audit import Audit, audit
-from cuspaudit.auditing.certificates import certificate_of_audit
 from cuspaudit.auditing.options import Options
+from cuspaudit.auditing.proofs.certificates import certificate_of_audit
 from cuspaudit.certificate import verify
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.robot.library import open_robot

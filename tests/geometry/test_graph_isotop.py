@@ -9,9 +9,9 @@ import networkx as nx
 import numpy as np
 import pytest
 
+from cuspaudit.algebra.points.zero_dimensional import solve_zero_dimensional
 from cuspaudit.algebra.ring import Polynomial, Ring
 from cuspaudit.algebra.system import PolynomialMap, PolynomialSystem
-from cuspaudit.algebra.zero_dimensional import solve_zero_dimensional
 from cuspaudit.errors import NotOnVarietyError, UnableError
 from cuspaudit.geometry.crit import crit
 from cuspaudit.geometry.graph_isotop import CurveGraph, graph_isotop

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from flint import fmpq
 
+from cuspaudit.algebra.points.zero_dimensional import solve_zero_dimensional
 from cuspaudit.algebra.ring import Polynomial, Ring
 from cuspaudit.algebra.system import PolynomialMap, PolynomialSystem
-from cuspaudit.algebra.zero_dimensional import solve_zero_dimensional
 from cuspaudit.errors import PrecisionError, UnableError
 from cuspaudit.geometry.roadmap import Roadmap, roadmap
 

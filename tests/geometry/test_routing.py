@@ -10,9 +10,9 @@ import pytest
 from flint import fmpq
 from surfaces import Build, arm_map, plane, road_of, torus
 
+from cuspaudit.algebra.points.zero_dimensional import solve_zero_dimensional
 from cuspaudit.algebra.ring import Polynomial, Ring
 from cuspaudit.algebra.system import PolynomialMap, PolynomialSystem
-from cuspaudit.algebra.zero_dimensional import solve_zero_dimensional
 from cuspaudit.cuspidality.surface_decision import decide_surface
 from cuspaudit.errors import NotOnVarietyError, UnableError
 from cuspaudit.geometry.crit import crit

@@ -13,21 +13,21 @@ from flint import arb, arb_mat, ctx
 from numpy.typing import NDArray
 
 from cuspaudit.robot.library import open_robot
-from cuspaudit.toolpath import tube_bounds
 from cuspaudit.toolpath.ball_arm import BITS
-from cuspaudit.toolpath.births import complete_runs
-from cuspaudit.toolpath.expansion import expansion_at
+from cuspaudit.toolpath.following import tube_bounds
+from cuspaudit.toolpath.following.births import complete_runs
+from cuspaudit.toolpath.following.expansion import expansion_at
+from cuspaudit.toolpath.following.leg_system import LegSystem
+from cuspaudit.toolpath.following.starts import solve_pose
+from cuspaudit.toolpath.following.strand import settled
+from cuspaudit.toolpath.following.strands import follow_path, known_postures
+from cuspaudit.toolpath.following.tube import Tube, knot_at, tube_round
+from cuspaudit.toolpath.following.tube_axis import Axis, axis_at
+from cuspaudit.toolpath.following.tube_bounds import TubeBounds
 from cuspaudit.toolpath.joint_pose import pose_of_joints
-from cuspaudit.toolpath.leg_system import LegSystem
-from cuspaudit.toolpath.starts import solve_pose
-from cuspaudit.toolpath.strand import settled
-from cuspaudit.toolpath.strands import follow_path, known_postures
 from cuspaudit.toolpath.trace import trace_path
 from cuspaudit.toolpath.traced_arm import TracedArm, traced_arm
 from cuspaudit.toolpath.traced_path import Trace
-from cuspaudit.toolpath.tube import Tube, knot_at, tube_round
-from cuspaudit.toolpath.tube_axis import Axis, axis_at
-from cuspaudit.toolpath.tube_bounds import TubeBounds
 from cuspaudit.toolpath.waypoints import Pose, ToolPath
 from tests.toolpath.traced_arms import (
     arm_of_axes,

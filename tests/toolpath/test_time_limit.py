@@ -8,10 +8,10 @@ import pytest
 
 from cuspaudit.runtime.clock import time_is_up, time_limit
 from cuspaudit.toolpath.asked import joint_vector
+from cuspaudit.toolpath.following.strand import followed
 from cuspaudit.toolpath.postures import list_postures
 from cuspaudit.toolpath.record import exit_code
 from cuspaudit.toolpath.same_aspect import same_aspect
-from cuspaudit.toolpath.strand import followed
 from cuspaudit.toolpath.trace import trace_path
 from tests.toolpath.traced_arms import crx, mirror, places
 
@@ -40,7 +40,7 @@ def test_time_that_is_up_on_the_way_keeps_what_came_before(
             time.sleep(1.0)
         return followed(*args)  # type: ignore[arg-type]
 
-    monkeypatch.setattr("cuspaudit.toolpath.strands.followed", counted)
+    monkeypatch.setattr("cuspaudit.toolpath.following.strands.followed", counted)
     trace = trace_path(mirror(), PATH, timeout=0.9)
     known = [run.proved for run in trace.runs]
     assert True in known and False in known

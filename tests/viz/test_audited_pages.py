@@ -12,7 +12,7 @@ from axe_playwright_python.sync_playwright import Axe
 from drawn_arms import crx_urdf
 from visits import PHONE, Visit, wait_until
 
-from cuspaudit.auditing.certificates import certificate_text
+from cuspaudit.auditing.proofs.certificates import certificate_text
 from cuspaudit.cli.running import run_audit
 from cuspaudit.pictures.page import page_text
 from cuspaudit.robot.library import open_robot

@@ -12,7 +12,7 @@ from dataclasses import replace
 from cuspaudit.auditing.answer import Answer, Reason
 from cuspaudit.auditing.case import Case
 from cuspaudit.auditing.cusp_witness import find_cusps
-from cuspaudit.auditing.joint_limits import has_limits
+from cuspaudit.auditing.limits.joint_limits import has_limits
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import UnableError
 from cuspaudit.runtime.clock import Clock

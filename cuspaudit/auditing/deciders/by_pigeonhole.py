@@ -16,7 +16,7 @@ from fractions import Fraction
 import numpy as np
 from numpy.typing import NDArray
 
-from cuspaudit.algebra.parametrization import RealPoint
+from cuspaudit.algebra.points.parametrization import RealPoint
 from cuspaudit.algebra.ring import Rational, rational
 from cuspaudit.algebra.univariate import PRECISIONS
 from cuspaudit.auditing.answer import Answer, Reason

@@ -27,9 +27,9 @@ from cuspaudit.auditing.free_joint.stretch import (
 from cuspaudit.auditing.free_joint.structured import by_structure
 from cuspaudit.auditing.free_joint.witness_search import WitnessSearch
 from cuspaudit.auditing.free_joint.witnessed import Walk
-from cuspaudit.auditing.joint_limits import rational_limits
+from cuspaudit.auditing.limits.joint_limits import rational_limits
+from cuspaudit.auditing.limits.within_limits import within_limits
 from cuspaudit.auditing.options import Options
-from cuspaudit.auditing.within_limits import within_limits
 from cuspaudit.certificate import Limits
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import (

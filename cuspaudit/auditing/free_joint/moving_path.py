@@ -16,7 +16,7 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from cuspaudit.auditing.certified_robot import certified_robot
+from cuspaudit.auditing.proofs.certified_robot import certified_robot
 from cuspaudit.auditing.search.lift import close
 from cuspaudit.certificate import Limits
 from cuspaudit.certificate.model import Lock, LockCertificate, Posture

@@ -14,7 +14,7 @@ from cuspaudit.auditing.case import Case
 from cuspaudit.auditing.deciders.decide import decide
 from cuspaudit.auditing.free_joint.moving_path import Locks
 from cuspaudit.auditing.free_joint.stretch import Stretch
-from cuspaudit.auditing.joint_limits import interval_of
+from cuspaudit.auditing.limits.joint_limits import interval_of
 from cuspaudit.auditing.search.around_cusp import is_inside, paths_around
 from cuspaudit.auditing.search.cusps import search_cusps
 from cuspaudit.auditing.search.lift import close

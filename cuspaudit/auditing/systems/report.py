@@ -6,7 +6,7 @@ import time
 from collections.abc import Callable
 from typing import Any
 
-from cuspaudit.algebra.parametrization import RealPoint
+from cuspaudit.algebra.points.parametrization import RealPoint
 from cuspaudit.algebra.ring import Polynomial
 from cuspaudit.auditing.record import PACKAGES, SCHEMA
 from cuspaudit.auditing.systems.file import SystemFile

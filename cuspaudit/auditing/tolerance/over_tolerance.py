@@ -20,8 +20,8 @@ from fractions import Fraction
 from typing import Any
 
 from cuspaudit.auditing.answer import Answer
-from cuspaudit.auditing.pairs_certificate import pairs_certificate
-from cuspaudit.auditing.structure_certificate import structure_certificate
+from cuspaudit.auditing.proofs.pairs_certificate import pairs_certificate
+from cuspaudit.auditing.proofs.structure_certificate import structure_certificate
 from cuspaudit.auditing.tolerance.box import Box, LargestBox, largest_box, over
 from cuspaudit.auditing.tolerance.nearby_arms import NearbyArms, nearby_arms
 from cuspaudit.auditing.tolerance.sensitive_axis import SensitiveAxis, sensitive_axis

@@ -15,7 +15,7 @@ from typing import Any, Literal
 
 from cuspaudit.auditing.tolerance.box import Box, PlacedNumber, largest_box, over, part
 from cuspaudit.certificate import PathCertificate
-from cuspaudit.certificate.play_estimate import estimated_room
+from cuspaudit.certificate.loose.play_estimate import estimated_room
 from cuspaudit.robot.chain import X_AXIS, Y_AXIS, Z_AXIS, Vector
 from cuspaudit.robot.tolerance import LooseNumber
 from cuspaudit.runtime.clock import check_time

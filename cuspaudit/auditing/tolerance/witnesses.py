@@ -19,7 +19,7 @@ from cuspaudit.auditing.search.six_joints import search
 from cuspaudit.auditing.tolerance.box import Box, over
 from cuspaudit.auditing.witness import Witness, certificate_of
 from cuspaudit.certificate import PathCertificate
-from cuspaudit.certificate.play_estimate import estimated_room
+from cuspaudit.certificate.loose.play_estimate import estimated_room
 from cuspaudit.errors import RetryableError, UnableError
 from cuspaudit.robot.chain import Chain
 from cuspaudit.robot.frames import jacobian

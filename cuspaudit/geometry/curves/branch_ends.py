@@ -17,7 +17,7 @@ from itertools import pairwise
 from flint import arb, ctx, fmpq, fmpq_poly
 
 from cuspaudit.algebra.algebraic_roots import real_roots_over
-from cuspaudit.algebra.parametrization import RealPoint
+from cuspaudit.algebra.points.parametrization import RealPoint
 from cuspaudit.algebra.rationals import rationals_between
 from cuspaudit.algebra.ring import Polynomial, Ring
 from cuspaudit.algebra.univariate import (

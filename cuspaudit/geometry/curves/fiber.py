@@ -15,7 +15,7 @@ from functools import cached_property
 
 from flint import fmpq, fmpq_poly
 
-from cuspaudit.algebra.parametrization import RealPoint
+from cuspaudit.algebra.points.parametrization import RealPoint
 from cuspaudit.algebra.univariate import RealRoot
 from cuspaudit.errors import CrossCheckError, UnableError
 from cuspaudit.geometry.curves.branch_ends import Ruler, ruler, window

@@ -17,8 +17,8 @@ from itertools import islice
 
 from flint import fmpq
 
-from cuspaudit.algebra.ideal import ideal_elements
-from cuspaudit.algebra.one_dimensional import OneDimensionalParametrization
+from cuspaudit.algebra.points.ideal import ideal_elements
+from cuspaudit.algebra.points.one_dimensional import OneDimensionalParametrization
 from cuspaudit.algebra.ring import Polynomial, Ring
 from cuspaudit.algebra.system import PolynomialMap, PolynomialSystem
 from cuspaudit.errors import DegenerateMapError, InvalidSystemError, UnableError

@@ -16,10 +16,11 @@ from flint import arb, ctx, fmpq, fmpq_poly
 
 from cuspaudit.algebra.algebraic_roots import common_divisor_over, real_roots_over
 from cuspaudit.algebra.elimination import discriminant, resultant
-from cuspaudit.algebra.parametrization import (
+from cuspaudit.algebra.points.parametrization import (
     RealPoint,
     ZeroDimensionalParametrization,
 )
+from cuspaudit.algebra.points.zero_dimensional import solve_zero_dimensional
 from cuspaudit.algebra.rationals import rationals_between
 from cuspaudit.algebra.ring import Polynomial
 from cuspaudit.algebra.system import PolynomialSystem
@@ -30,7 +31,6 @@ from cuspaudit.algebra.univariate import (
     disjoint_balls,
     real_roots,
 )
-from cuspaudit.algebra.zero_dimensional import solve_zero_dimensional
 from cuspaudit.errors import PrecisionError
 from cuspaudit.geometry.curves.branch_ends import coefficients_of
 from cuspaudit.geometry.curves.fiber import CurveFiber, Place, Rulers, curve_fiber

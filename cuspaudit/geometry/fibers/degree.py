@@ -1,7 +1,7 @@
 """A bound on the number of points of all fibers of a map, from one of them.
 
 **Theorem.** Let q in Q^d be such that no r_j - q_j has lost its constant term, and let
-`algebra.macaulay.multiples_bound` prove from multiples of f and r_j - q_j that
+`algebra.points.macaulay.multiples_bound` prove from multiples of f and r_j - q_j that
 dim Q[x] / <f, R - q> <= N. Then every fiber of R on V has at most N points at which
 jac(f, R) has rank n.
 
@@ -20,7 +20,7 @@ from collections.abc import Sequence
 
 from flint import fmpq
 
-from cuspaudit.algebra.macaulay import multiples_bound
+from cuspaudit.algebra.points.macaulay import multiples_bound
 from cuspaudit.algebra.system import PolynomialMap, PolynomialSystem
 
 __all__ = ["has_degree_at_most"]

@@ -13,8 +13,8 @@ from dataclasses import dataclass
 
 from flint import fmpq
 
-from cuspaudit.algebra.elimination_basis import propose_elimination
 from cuspaudit.algebra.matrix import determinant
+from cuspaudit.algebra.points.elimination_basis import propose_elimination
 from cuspaudit.algebra.ring import Polynomial, Ring
 from cuspaudit.algebra.system import PolynomialMap, PolynomialSystem
 from cuspaudit.errors import UnableError

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from cuspaudit.algebra.ideal import groebner_basis
+from cuspaudit.algebra.points.ideal import groebner_basis
 from cuspaudit.algebra.ring import Polynomial, Ring
 from cuspaudit.algebra.system import PolynomialSystem
 

@@ -1,7 +1,7 @@
 """All critical points of a height, each proved to be nondegenerate.
 
-The critical equations are solved completely (``algebra.zero_dimensional``); the index
-of each real solution is proved in ball arithmetic, with more bits where needed. A
+The critical equations are solved completely (``algebra.points.zero_dimensional``); the
+index of each real solution is proved in ball arithmetic, with more bits where needed. A
 degenerate point is never proved to be one: the caller takes another height.
 """
 
@@ -12,13 +12,13 @@ from contextlib import suppress
 
 from flint import arb, ctx, fmpq
 
-from cuspaudit.algebra.parametrization import (
+from cuspaudit.algebra.points.parametrization import (
     RealPoint,
     ZeroDimensionalParametrization,
 )
+from cuspaudit.algebra.points.zero_dimensional import solve_zero_dimensional
 from cuspaudit.algebra.ring import Ring
 from cuspaudit.algebra.system import PolynomialSystem
-from cuspaudit.algebra.zero_dimensional import solve_zero_dimensional
 from cuspaudit.errors import UnableError
 from cuspaudit.geometry.heights.charted_height import ChartedHeight
 from cuspaudit.geometry.heights.factored_system import factored_system

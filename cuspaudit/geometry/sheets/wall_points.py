@@ -9,11 +9,11 @@ from flint import arb, ctx, fmpq_poly
 
 from cuspaudit.algebra.elimination import square_free_factors
 from cuspaudit.algebra.evaluation import Evaluator
-from cuspaudit.algebra.parametrization import ZeroDimensionalParametrization
+from cuspaudit.algebra.points.parametrization import ZeroDimensionalParametrization
+from cuspaudit.algebra.points.zero_dimensional import solve_zero_dimensional
 from cuspaudit.algebra.ring import Polynomial
 from cuspaudit.algebra.system import PolynomialSystem
 from cuspaudit.algebra.univariate import PRECISIONS, Univariate
-from cuspaudit.algebra.zero_dimensional import solve_zero_dimensional
 from cuspaudit.errors import PrecisionError, UnableError
 from cuspaudit.geometry.cells.open_cells import Contact
 from cuspaudit.geometry.crit import crit

@@ -24,8 +24,8 @@ import numpy as np
 from flint import acb, acb_poly, ctx, fmpq, fmpq_poly
 from numpy.typing import NDArray
 
-from cuspaudit.algebra.ideal import groebner_basis
-from cuspaudit.algebra.interpolated_points import proposed_numerators
+from cuspaudit.algebra.points.ideal import groebner_basis
+from cuspaudit.algebra.points.interpolated_points import proposed_numerators
 from cuspaudit.algebra.quadratic_matrix import QuadraticField
 from cuspaudit.errors import PrecisionError, RetryableError, UnableError
 from cuspaudit.kinematics.postures.arm import ArmArrays

@@ -16,7 +16,10 @@ import numpy as np
 from flint import fmpq, fmpq_poly
 from numpy.typing import NDArray
 
-from cuspaudit.algebra.parametrization import RealPoint, ZeroDimensionalParametrization
+from cuspaudit.algebra.points.parametrization import (
+    RealPoint,
+    ZeroDimensionalParametrization,
+)
 from cuspaudit.algebra.quadratic_matrix import QuadraticField
 from cuspaudit.algebra.ring import Polynomial, Ring
 from cuspaudit.errors import UnableError

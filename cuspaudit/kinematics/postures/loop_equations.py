@@ -12,10 +12,10 @@ import numpy as np
 from flint import fmpq_poly
 from numpy.typing import NDArray
 
+from cuspaudit.algebra.points.zero_dimensional import solve_zero_dimensional
 from cuspaudit.algebra.quadratic_matrix import QuadraticField
 from cuspaudit.algebra.ring import Polynomial, Ring
 from cuspaudit.algebra.system import PolynomialSystem
-from cuspaudit.algebra.zero_dimensional import solve_zero_dimensional
 from cuspaudit.errors import UnableError
 from cuspaudit.kinematics.postures.arm import ArmArrays
 from cuspaudit.kinematics.postures.loop_closure import closes

@@ -24,7 +24,7 @@ from cuspaudit.auditing.deciders.by_pigeonhole import (
 )
 from cuspaudit.auditing.deciders.decide import answer, decide
 from cuspaudit.auditing.deciders.registry import DECIDERS, EXACT, Decider
-from cuspaudit.auditing.proof_record import proof_record
+from cuspaudit.auditing.proofs.proof_record import proof_record
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import UnableError
 from cuspaudit.kinematics.exact_model import ExactModel, exact_model

@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 from short_tables import arm, degrees
 
-from cuspaudit.auditing.joint_limits import interval_of
-from cuspaudit.auditing.limits_witness import first_proved, slack
+from cuspaudit.auditing.limits.joint_limits import interval_of
+from cuspaudit.auditing.limits.limits_witness import first_proved, slack
 from cuspaudit.auditing.search.around_cusp import is_inside
 from cuspaudit.auditing.search.box_search import paths_inside
 from cuspaudit.auditing.search.postures_inside import postures_inside

@@ -12,8 +12,8 @@ import pytest
 
 import cuspaudit as cu
 from cuspaudit.auditing.audit import audit
-from cuspaudit.auditing.certificates import certificate_of_audit
 from cuspaudit.auditing.options import Options
+from cuspaudit.auditing.proofs.certificates import certificate_of_audit
 from cuspaudit.auditing.tolerance.box import Box, over
 from cuspaudit.auditing.tolerance.nearby_arms import built_arm, nearby_arms
 from cuspaudit.certificate import verify

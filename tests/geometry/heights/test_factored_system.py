@@ -6,9 +6,9 @@ from dataclasses import replace
 
 from flint import fmpq
 
+from cuspaudit.algebra.points.zero_dimensional import solve_zero_dimensional
 from cuspaudit.algebra.ring import Polynomial, Ring
 from cuspaudit.algebra.system import PolynomialSystem
-from cuspaudit.algebra.zero_dimensional import solve_zero_dimensional
 from cuspaudit.geometry.heights.factored_system import factored_system
 from cuspaudit.geometry.heights.height import Height, critical_system, plain_height
 

@@ -3,9 +3,9 @@ from __future__ import annotations
 import pytest
 from flint import arb, fmpq
 
+from cuspaudit.algebra.points.zero_dimensional import solve_zero_dimensional
 from cuspaudit.algebra.ring import Ring
 from cuspaudit.algebra.system import PolynomialSystem
-from cuspaudit.algebra.zero_dimensional import solve_zero_dimensional
 from cuspaudit.errors import DegenerateMapError
 from cuspaudit.geometry.heights.height import (
     critical_system,

@@ -18,7 +18,10 @@ from cuspaudit.algebra.msolve import (
     parse_real_solutions,
     run_msolve,
 )
-from cuspaudit.algebra.parametrization import RealPoint, ZeroDimensionalParametrization
+from cuspaudit.algebra.points.parametrization import (
+    RealPoint,
+    ZeroDimensionalParametrization,
+)
 from cuspaudit.errors import PrecisionError, UnableError
 from cuspaudit.kinematics.determinant import jacobian_determinant
 from cuspaudit.kinematics.exact_model import ExactModel, exact_model

@@ -1,0 +1,1 @@
+"""Sets of points: the solutions of systems that have finitely many, or a curve."""

@@ -1,0 +1,1 @@
+"""The verdict within joint limits."""

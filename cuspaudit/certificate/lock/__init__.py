@@ -1,0 +1,1 @@
+"""The proof over the values of a locked joint."""

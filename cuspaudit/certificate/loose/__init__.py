@@ -1,0 +1,1 @@
+"""The proof for every robot that a tolerance allows."""

@@ -1,0 +1,1 @@
+"""The proof by all pairs of postures of three joints."""

@@ -1,0 +1,1 @@
+"""The proof by a theorem whose relations are tested exactly."""

@@ -1,0 +1,1 @@
+"""Runs of a tool path, followed and proved."""
