@@ -30,7 +30,7 @@ from cuspaudit.robot.library import open_robot
 from cuspaudit.toolpath.joint_pose import JointValue, pose_of_joints
 from cuspaudit.toolpath.trace import trace_path
 from cuspaudit.toolpath.traced_arm import TracedArm, traced_arm
-from cuspaudit.toolpath.traced_path import Trace
+from cuspaudit.toolpath.traced_path import TracedPath
 from cuspaudit.toolpath.waypoints import ToolPath
 from tests.toolpath.traced_arms import crx, places, table_arm
 
@@ -90,7 +90,7 @@ def backwards(path: ToolPath) -> ToolPath:
     return replace(path, poses=path.poses[::-1])
 
 
-def partial_map(trace: Trace) -> set[tuple[int, int | None]]:
+def partial_map(trace: TracedPath) -> set[tuple[int, int | None]]:
     """Where the runs that reach the end lead."""
     return {(r.posture, r.ends_in) for r in trace.runs if r.end == "reached"}
 

@@ -21,8 +21,8 @@ from cuspaudit.robot.virtual_joint import without_virtual_joint
 from cuspaudit.runtime.writing import write_text
 
 if TYPE_CHECKING:
-    from cuspaudit.auditing.record import Audit as FinishedAudit
-    from cuspaudit.auditing.witness import Witness as FoundWitness
+    from cuspaudit.auditing.record import FinishedAudit
+    from cuspaudit.auditing.witness import CertifiedPath
     from cuspaudit.robot.chain import Chain
     from cuspaudit.robot.robot import Robot
 
@@ -284,7 +284,7 @@ class SystemAudit(Decided):
         return f"<SystemAudit of a map to R^{size}: {self.verdict.value}>"
 
 
-def _witness(found: FoundWitness | None, chain: Chain) -> Witness | None:
+def _witness(found: CertifiedPath | None, chain: Chain) -> Witness | None:
     if found is None:
         return None
     path = found.path[:, : len(chain.joints)].copy()

@@ -31,13 +31,11 @@ from cuspaudit.toolpath.reading import (
 )
 from cuspaudit.toolpath.record import trace_record
 from cuspaudit.toolpath.run_certificate import run_certificate
-from cuspaudit.toolpath.same_aspect import Connection as FoundConnection
-from cuspaudit.toolpath.same_aspect import connection_record
+from cuspaudit.toolpath.same_aspect import FoundConnection, connection_record
 from cuspaudit.toolpath.same_aspect import same_aspect as find_connection
 from cuspaudit.toolpath.trace import trace_path
 from cuspaudit.toolpath.traced_arm import TracedArm, traced_arm
-from cuspaudit.toolpath.traced_path import Run
-from cuspaudit.toolpath.traced_path import Trace as FoundTrace
+from cuspaudit.toolpath.traced_path import Run, TracedPath
 from cuspaudit.toolpath.waypoints import Pose, ToolPath
 
 __all__ = ["Connection", "Postures", "Trace", "postures", "same_aspect", "trace"]
@@ -101,7 +99,7 @@ class Connection:
 class Trace:
     """What becomes of every posture of the first pose of a tool path."""
 
-    found: FoundTrace
+    found: TracedPath
     _robot: Robot
 
     def __repr__(self) -> str:

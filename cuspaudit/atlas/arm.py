@@ -17,14 +17,14 @@ from cuspaudit.atlas.picture import picture
 from cuspaudit.auditing.audit import Options, audit
 from cuspaudit.auditing.proofs.certificates import certificate_text
 from cuspaudit.auditing.proofs.certified_robot import regular_posture
-from cuspaudit.auditing.record import Audit
+from cuspaudit.auditing.record import FinishedAudit
 from cuspaudit.errors import CuspauditError, unforeseen
 from cuspaudit.pictures.page import page_text
 from cuspaudit.robot.library import open_robot, serial_chains
 from cuspaudit.robot.robot import Robot
 from cuspaudit.robot.virtual_joint import with_virtual_joint
 
-__all__ = ["Arm", "Made", "arm_key", "make_arm"]
+__all__ = ["AtlasArm", "Made", "arm_key", "make_arm"]
 
 _FORMAT = "2"
 _MOST = 12
@@ -32,7 +32,7 @@ _MOST = 12
 
 
 @dataclass(frozen=True)
-class Arm:
+class AtlasArm:
     """An arm to be audited.
 
     Attributes:
@@ -65,13 +65,13 @@ class Made:
     record: str = ""
 
 
-def arm_key(arm: Arm, content: bytes) -> str:
+def arm_key(arm: AtlasArm, content: bytes) -> str:
     """What an entry depends on: the file, the way it is audited, and the program."""
     parts = (_FORMAT, cuspaudit.__version__, arm.source, arm.timeout, arm.seed)
     return hashlib.sha256(repr(parts).encode() + content).hexdigest()[:16]
 
 
-def make_arm(arm: Arm, key: str) -> list[Made]:
+def make_arm(arm: AtlasArm, key: str) -> list[Made]:
     """Audit ``arm``; an error is the arm's and ends nothing else.
 
     Of a robot with several chains each arm among them is audited, redundant joints
@@ -84,7 +84,7 @@ def make_arm(arm: Arm, key: str) -> list[Made]:
     return [replace(m, entry=replace(m.entry, group=arm.slug, key=key)) for m in made]
 
 
-def _tried(work: Callable[[], list[Made]], arm: Arm) -> list[Made]:
+def _tried(work: Callable[[], list[Made]], arm: AtlasArm) -> list[Made]:
     try:
         return work()
     except CuspauditError as error:
@@ -94,7 +94,7 @@ def _tried(work: Callable[[], list[Made]], arm: Arm) -> list[Made]:
     return [Made(failed_entry(arm.slug, Path(arm.source).name, text))]
 
 
-def _of_each_chain(arm: Arm) -> Iterator[Made]:
+def _of_each_chain(arm: AtlasArm) -> Iterator[Made]:
     """The arms among the serial chains of a robot."""
     for chain in islice((c for c in serial_chains(arm.source) if c.is_arm), _MOST):
         slug = f"{arm.slug}--{re.sub('[^a-z0-9]+', '-', chain.tip.lower()).strip('-')}"
@@ -111,7 +111,7 @@ def _of_each_chain(arm: Arm) -> Iterator[Made]:
             yield Made(failed_entry(slug, Path(arm.source).name, str(error)))
 
 
-def _made(slug: str, robot: Robot, arm: Arm) -> Made:
+def _made(slug: str, robot: Robot, arm: AtlasArm) -> Made:
     result = audit(robot, Options(arm.seed, arm.timeout))
     proof = certificate_text(result)
     record = _without_times(result.record(f"{slug}.json" if proof else None))
@@ -126,7 +126,7 @@ def _made(slug: str, robot: Robot, arm: Arm) -> Made:
     )
 
 
-def _postures(result: Audit) -> list[list[float]]:
+def _postures(result: FinishedAudit) -> list[list[float]]:
     """The two ends of the witness path, or one regular posture."""
     chain = with_virtual_joint(result.shown_chain)
     if result.witness is not None:

@@ -20,7 +20,7 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
-from cuspaudit.atlas.arm import Arm, Made, arm_key
+from cuspaudit.atlas.arm import AtlasArm, Made, arm_key
 from cuspaudit.atlas.entry import Entry
 from cuspaudit.atlas.index import index_html
 from cuspaudit.atlas.workers import made_here, made_on_cluster
@@ -79,7 +79,7 @@ def build_site(
         )
     kept = _kept(site)
     arms = [
-        Arm(source, slug, timeout, seed)
+        AtlasArm(source, slug, timeout, seed)
         for source, slug in zip(sources, _slugs(sources), strict=True)
     ]
     keys = {arm.slug: arm_key(arm, _content(arm.source)) for arm in arms}

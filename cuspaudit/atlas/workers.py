@@ -10,15 +10,15 @@ from dataclasses import replace
 from multiprocessing import active_children, get_context
 from pathlib import Path
 
-from cuspaudit.atlas.arm import Arm, Made, make_arm
+from cuspaudit.atlas.arm import AtlasArm, Made, make_arm
 from cuspaudit.atlas.entry import failed_entry
 from cuspaudit.errors import InvalidInputError
 from cuspaudit.runtime.interruption import end_processes
 
 __all__ = ["made_here", "made_on_cluster"]
 
-Work = tuple[Arm, str]
-Make = Callable[[Arm, str], list[Made]]
+Work = tuple[AtlasArm, str]
+Make = Callable[[AtlasArm, str], list[Made]]
 
 _PATIENCE = "10s"
 
@@ -88,7 +88,7 @@ def made_on_cluster(
         client.close()
 
 
-def _died(arm: Arm) -> list[Made]:
+def _died(arm: AtlasArm) -> list[Made]:
     why = "the process of its audit died (killed, or out of memory); run again"
     entry = replace(failed_entry(arm.slug, Path(arm.source).name, why), group=arm.slug)
     return [Made(entry)]

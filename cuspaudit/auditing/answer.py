@@ -13,7 +13,7 @@ from cuspaudit.errors import RetryableError, TimeLimitError, UnableError
 if TYPE_CHECKING:
     from cuspaudit.auditing.cusp_witness import CuspWitness
     from cuspaudit.auditing.evidence import Crowd, PairRecord, SearchRecord
-    from cuspaudit.auditing.witness import Witness
+    from cuspaudit.auditing.witness import CertifiedPath
     from cuspaudit.cuspidality.pair_decision import PairDecision
     from cuspaudit.cuspidality.surface_decision import SurfaceDecision
     from cuspaudit.cuspidality.tile_decision import TileDecision
@@ -100,7 +100,7 @@ class Answer:
     decision: SurfaceDecision | None = None
     by_pairs: PairDecision | None = None
     by_tiles: TileDecision | None = None
-    witness: Witness | None = None
+    witness: CertifiedPath | None = None
     aspects: Count | None = None
     postures: Count | None = None
     cusps: Count | None = None

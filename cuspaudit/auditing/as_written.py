@@ -12,7 +12,7 @@ from cuspaudit.auditing.deciders.decide import decide
 from cuspaudit.auditing.deciders.registry import HAIR
 from cuspaudit.auditing.proofs.structure_certificate import structure_certificate
 from cuspaudit.auditing.search.lift import close
-from cuspaudit.auditing.witness import Witness, certified
+from cuspaudit.auditing.witness import CertifiedPath, certified
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import AssumptionError, RetryableError, UnableError
 from cuspaudit.kinematics.exact_model import exact_model
@@ -45,7 +45,7 @@ class AsWritten:
     """
 
     verdict: Verdict
-    witness: Witness | None = None
+    witness: CertifiedPath | None = None
     is_same_path: bool = False
     cusp: CuspWitness | None = None
 
@@ -131,7 +131,7 @@ def _decided(literal: Chain, seed: int, clock: Clock) -> AsWritten:
     return AsWritten(found.verdict, found.witness, cusp=found.cusp)
 
 
-def _searched(literal: Chain, seed: int, clock: Clock) -> Witness | None:
+def _searched(literal: Chain, seed: int, clock: Clock) -> CertifiedPath | None:
     """A path of the literal chain, searched: of six joints from random poses.
 
     Of three it is that of a couple of the arm written by its invariants, whose numbers
@@ -153,7 +153,7 @@ def _by_structure(chain: Chain) -> Verdict:
     return Verdict.NONCUSPIDAL if proved else Verdict.UNDECIDED
 
 
-def _on(chain: Chain, witness: Witness) -> Witness | None:
+def _on(chain: Chain, witness: CertifiedPath) -> CertifiedPath | None:
     """The witness for the slightly different numbers of ``chain``, if it is one."""
     if witness.chain == chain:
         return witness

@@ -16,9 +16,13 @@ from cuspaudit.auditing.crosscheck.pinocchio_model import is_readable
 from cuspaudit.auditing.deciders.decide import decide
 from cuspaudit.auditing.limits.joint_limits import has_limits
 from cuspaudit.auditing.options import Options
-from cuspaudit.auditing.record import Audit
-from cuspaudit.auditing.structures import Structure, near_structures, why_undecided
-from cuspaudit.auditing.witness import Witness
+from cuspaudit.auditing.record import FinishedAudit
+from cuspaudit.auditing.structures import (
+    JudgedStructure,
+    near_structures,
+    why_undecided,
+)
+from cuspaudit.auditing.witness import CertifiedPath
 from cuspaudit.certificate.margin import margin_of
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import (
@@ -34,11 +38,11 @@ from cuspaudit.robot.virtual_joint import with_virtual_joint
 from cuspaudit.runtime.clock import Clock, time_limit
 
 if TYPE_CHECKING:
-    from cuspaudit.auditing.limits.limits_result import WithinLimits
+    from cuspaudit.auditing.limits.limits_result import LimitsAnswer
     from cuspaudit.auditing.tolerance.over_tolerance import OverTolerance
     from cuspaudit.robot.chain import Chain
 
-__all__ = ["Audit", "Options", "audit"]
+__all__ = ["FinishedAudit", "Options", "audit"]
 
 Found = TypeVar("Found")
 
@@ -49,7 +53,7 @@ _SEEN = 1e-10
 """The least clearance of a path that the cross-check looks at in floating point."""
 
 
-def audit(robot: Robot, options: Options | None = None) -> Audit:
+def audit(robot: Robot, options: Options | None = None) -> FinishedAudit:
     """Audit ``robot``: verdict, proof, witness and cross-check.
 
     Raises:
@@ -67,7 +71,7 @@ def audit(robot: Robot, options: Options | None = None) -> Audit:
         with clock.stage("aspects"):
             found = carried(_with_aspects(found, clock))
     with clock.stage("structures"):
-        none: tuple[Structure, ...] = ()
+        none: tuple[JudgedStructure, ...] = ()
         structures = _in_time(clock, lambda: near_structures(found), none)
     with clock.stage("limits"):
         written = with_virtual_joint(robot.chain)
@@ -92,7 +96,7 @@ def audit(robot: Robot, options: Options | None = None) -> Audit:
     with clock.stage("crosscheck"):
         clock.step("crosscheck", always=True)
         check = _check(robot, found, literal.witness, options)
-    return Audit(
+    return FinishedAudit(
         robot,
         chain,
         snapped,
@@ -112,7 +116,7 @@ def audit(robot: Robot, options: Options | None = None) -> Audit:
 
 def _within_limits(
     found: Answer, literal: Chain, seed: int, clock: Clock
-) -> WithinLimits | None:
+) -> LimitsAnswer | None:
     """The verdict within limits; an arm without any loads nothing for it."""
     if not has_limits(found.model.chain):
         return None
@@ -125,7 +129,7 @@ def _over_tolerance(
     robot: Robot,
     allowed: AxisTolerance | None,
     found: Answer,
-    witness: Witness | None,
+    witness: CertifiedPath | None,
     seed: int,
     clock: Clock,
 ) -> OverTolerance:
@@ -177,7 +181,7 @@ def _with_aspects(found: Answer, clock: Clock) -> Answer:
 
 
 def _check(
-    robot: Robot, found: Answer, witness: Witness | None, options: Options
+    robot: Robot, found: Answer, witness: CertifiedPath | None, options: Options
 ) -> CrossCheck:
     """The comparison with Pinocchio, of both models where they are two.
 

@@ -11,8 +11,8 @@ from typing import Any
 
 from cuspaudit.auditing.audit import audit
 from cuspaudit.auditing.options import Options
-from cuspaudit.auditing.record import Audit
-from cuspaudit.auditing.structures import Structure
+from cuspaudit.auditing.record import FinishedAudit
+from cuspaudit.auditing.structures import JudgedStructure
 from cuspaudit.robot.calibration import Calibration, calibrated
 from cuspaudit.robot.distance_text import distance_text, structure_words
 from cuspaudit.robot.robot import Robot
@@ -34,11 +34,11 @@ class CalibratedAudit:
     """
 
     calibration: Calibration
-    nominal: Audit
-    built: Audit
+    nominal: FinishedAudit
+    built: FinishedAudit
 
     @property
-    def nearest(self) -> list[tuple[Structure, Structure]]:
+    def nearest(self) -> list[tuple[JudgedStructure, JudgedStructure]]:
         """The structures that both have a distance to, the built arm's nearest first.
 
         As pairs of nominal and built.
@@ -111,7 +111,7 @@ def audit_calibrated(
     )
 
 
-def _side(structure: Structure) -> dict[str, Any]:
+def _side(structure: JudgedStructure) -> dict[str, Any]:
     verdict = structure.verdict
     return {
         "holds": structure.holds,
@@ -121,5 +121,5 @@ def _side(structure: Structure) -> dict[str, Any]:
     }
 
 
-def _distance(structure: Structure) -> str:
+def _distance(structure: JudgedStructure) -> str:
     return distance_text(structure.length, structure.angle, structure.unit)

@@ -24,12 +24,12 @@ if TYPE_CHECKING:
     from cuspaudit.auditing.as_written import AsWritten
     from cuspaudit.auditing.crosscheck.compare import CrossCheck
     from cuspaudit.auditing.cusp_witness import CuspWitness
-    from cuspaudit.auditing.limits.limits_result import WithinLimits
-    from cuspaudit.auditing.structures import Structure
+    from cuspaudit.auditing.limits.limits_result import LimitsAnswer
+    from cuspaudit.auditing.structures import JudgedStructure
     from cuspaudit.auditing.tolerance.over_tolerance import OverTolerance
-    from cuspaudit.auditing.witness import Witness
+    from cuspaudit.auditing.witness import CertifiedPath
 
-__all__ = ["PACKAGES", "SCHEMA", "Audit"]
+__all__ = ["PACKAGES", "SCHEMA", "FinishedAudit"]
 
 SCHEMA = "cuspaudit/audit/2"
 PACKAGES = (
@@ -39,7 +39,7 @@ PACKAGES = (
 
 
 @dataclass(frozen=True, eq=False)
-class Audit:
+class FinishedAudit:
     """One robot, audited.
 
     Attributes:
@@ -69,9 +69,9 @@ class Audit:
     seconds: Mapping[str, float]
     seed: int
     policy: SnapPolicy = DEFAULT_POLICY
-    structures: tuple[Structure, ...] = ()
+    structures: tuple[JudgedStructure, ...] = ()
     why_literal: str | None = None
-    within: WithinLimits | None = None
+    within: LimitsAnswer | None = None
     margin: float | None = None
     over: OverTolerance | None = None
 
@@ -86,7 +86,7 @@ class Audit:
         return self.as_written.verdict
 
     @property
-    def witness(self) -> Witness | None:
+    def witness(self) -> CertifiedPath | None:
         """Of a CUSPIDAL verdict; one by ``answer.crowd`` or a cusp may lack it.
 
         The same path proved for the literal chain, where it is: it is proved for the
@@ -97,7 +97,7 @@ class Audit:
         return self.answer.witness
 
     @property
-    def literal_witness(self) -> Witness | None:
+    def literal_witness(self) -> CertifiedPath | None:
         """Proves the literal chain CUSPIDAL where ``witness`` does not."""
         return None if self.as_written.is_same_path else self.as_written.witness
 
@@ -161,7 +161,7 @@ class Audit:
         return self.answer.cusp or inside
 
     @property
-    def shown_witness(self) -> Witness | None:
+    def shown_witness(self) -> CertifiedPath | None:
         """The path to look at: inside the joint limits if there is one."""
         inside = self.within.witness if self.within else None
         return inside or self.witness
@@ -271,7 +271,7 @@ class Audit:
         return self._shown(self.literal_witness, "literal", None)
 
     def _shown(
-        self, witness: Witness, model: str, certificate: str | None
+        self, witness: CertifiedPath, model: str, certificate: str | None
     ) -> dict[str, Any]:
         rows = witness.path[:, : len(self.chain.joints)]
         path = [[float(v) for v in row] for row in rows]

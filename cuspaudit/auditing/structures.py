@@ -35,13 +35,13 @@ from cuspaudit.robot.distance_text import distance_text, structure_words
 from cuspaudit.runtime.clock import check_time, seconds_left, time_limit
 from cuspaudit.runtime.own_process import run_in_own_process
 
-__all__ = ["Structure", "near_structures", "why_undecided"]
+__all__ = ["JudgedStructure", "near_structures", "why_undecided"]
 
 _SECONDS = 0.5
 
 
 @dataclass(frozen=True)
-class Structure:
+class JudgedStructure:
     """A structure that decides, and how far the audited arm is from having it.
 
     Attributes:
@@ -73,7 +73,7 @@ class Structure:
         return {**asdict(self), "verdict": verdict, "moves": moves}
 
 
-def near_structures(found: Answer) -> tuple[Structure, ...]:
+def near_structures(found: Answer) -> tuple[JudgedStructure, ...]:
     """The structures near the arm of an answer, nearest first."""
     judged = []
     is_asked = False
@@ -107,8 +107,8 @@ def _structure(
     aspects: Count | None,
     *,
     holds: bool = False,
-) -> Structure:
-    return Structure(
+) -> JudgedStructure:
+    return JudgedStructure(
         near.name,
         holds,
         near.length,
@@ -121,7 +121,7 @@ def _structure(
     )
 
 
-def _decided(near: NearStructure) -> Structure | None:
+def _decided(near: NearStructure) -> JudgedStructure | None:
     """As Algorithm 1 has it, for the three joints; None if that takes too long.
 
     The numbers of a nearest arm are long, and one call of a kernel with them may take

@@ -18,13 +18,13 @@ from cuspaudit.certificate import (
 from cuspaudit.robot.chain import Chain
 from cuspaudit.robot.frames import jacobian
 
-__all__ = ["Witness", "certificate_of", "certified"]
+__all__ = ["CertifiedPath", "certificate_of", "certified"]
 
 Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)
-class Witness:
+class CertifiedPath:
     """Two postures of one pose, a path between them, and the proof.
 
     Attributes:
@@ -51,7 +51,7 @@ def certified(
     path: Array,
     largest: float | None = None,
     limits: Limits | None = None,
-) -> Witness:
+) -> CertifiedPath:
     """What the checker says of a closed path; only if it accepts is it a witness.
 
     Args:
@@ -66,7 +66,7 @@ def certified(
     clearance = None
     if largest is not None and verification.smallest is not None:
         clearance = verification.smallest / largest
-    return Witness(chain, path, sign, clearance, certificate, verification)
+    return CertifiedPath(chain, path, sign, clearance, certificate, verification)
 
 
 def certificate_of(

@@ -24,7 +24,7 @@ from cuspaudit.certificate.model import (
     is_loose,
 )
 
-__all__ = ["Proof", "Verification", "verify"]
+__all__ = ["KindProof", "Verification", "verify"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,7 +66,7 @@ class Verification:
         return asdict(self)
 
 
-class Proof(Protocol):
+class KindProof(Protocol):
     """The proof of a certificate of one kind.
 
     Attributes:
@@ -128,7 +128,7 @@ def verify(certificate: Certificate) -> Verification:
     )
 
 
-def _proof(certificate: Certificate) -> Proof:
+def _proof(certificate: Certificate) -> KindProof:
     """The proof of this kind; the modules of the others are not loaded."""
     match certificate:
         case PathCertificate():

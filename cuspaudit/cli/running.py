@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from cuspaudit.auditing.audit import Audit
+    from cuspaudit.auditing.record import FinishedAudit
     from cuspaudit.robot.robot import Robot
 
 __all__ = ["STEPS", "progress_bar", "run_audit"]
@@ -37,7 +37,7 @@ def run_audit(
     snap: str,
     engine: str = "auto",
     tolerance: Path | None = None,
-) -> Audit:
+) -> FinishedAudit:
     """The audit of a robot, its steps shown on a terminal.
 
     Raises:

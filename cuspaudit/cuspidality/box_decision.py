@@ -53,9 +53,9 @@ from cuspaudit.surface.box_stability import count_between
 from cuspaudit.surface.box_walls import box_walls
 from cuspaudit.surface.fiber_pieces import AtRational, steady_angle
 from cuspaudit.surface.first_joint import (
-    Bound,
     FirstJoint,
     FirstMotion,
+    LongestMotion,
     bounds_of,
     first_walls,
 )
@@ -242,7 +242,7 @@ class _Question:
     sheets: PairSheets | SlideSheets
     first: FirstMotion | None
 
-    def ask(self, aspects: BoxAspects, bound: Bound | None) -> _Asked:
+    def ask(self, aspects: BoxAspects, bound: LongestMotion | None) -> _Asked:
         """A pair of every sheet over every cell of a box, and the couples among."""
         pieces, walls = aspects.pieces, list(self._walls(aspects.box, bound))
         lines = [pieces.change, pieces.parts[-1], *pieces.at_limits]
@@ -254,7 +254,7 @@ class _Question:
         pairs = list(pairs_off(self.sheets, walls, avoided, inside))
         return _Asked(len(pairs), list(self.couples(pairs, aspects, bound)))
 
-    def _walls(self, box: Box, bound: Bound | None) -> Iterator[Polynomial]:
+    def _walls(self, box: Box, bound: LongestMotion | None) -> Iterator[Polynomial]:
         """Between them lie the cells: of the sheets, of the box, of joint 1."""
         sheets, first = self.sheets, self.first
         if isinstance(sheets, SlideSheets):
@@ -273,7 +273,7 @@ class _Question:
         self,
         pairs: list[tuple[PairEnd, PairEnd]],
         aspects: BoxAspects,
-        bound: Bound | None,
+        bound: LongestMotion | None,
     ) -> Iterator[BoxCouple]:
         """The pairs that are couples in a box."""
         for pair in pairs:
@@ -308,7 +308,7 @@ class _Question:
 
         return _sign_of(value, "sign of Delta at an end of a pair")
 
-    def _follows(self, pair: tuple[PairEnd, PairEnd], bound: Bound) -> bool:
+    def _follows(self, pair: tuple[PairEnd, PairEnd], bound: LongestMotion) -> bool:
         """Whether joint 1 can move as this pair asks it to."""
         assert self.first is not None, "a bound is one of joint 1"
         across = self.first.across

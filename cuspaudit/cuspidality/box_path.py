@@ -37,7 +37,7 @@ from cuspaudit.cuspidality.surface_path import (
 from cuspaudit.surface.box_aspects import BoxAspects, Gate, Place, gates
 from cuspaudit.surface.box_edges import start_of
 from cuspaudit.surface.fiber_pieces import AtRational, AtRoot
-from cuspaudit.surface.sample_points import Posture
+from cuspaudit.surface.sample_points import FiberPosture
 from cuspaudit.surface.surface import Factor, Surface
 
 if TYPE_CHECKING:
@@ -122,7 +122,7 @@ class _End:
         )
 
 
-def _on_fiber(fiber: Factor, posture: PairEnd | Posture) -> float:
+def _on_fiber(fiber: Factor, posture: PairEnd | FiberPosture) -> float:
     """The angle (or coordinate) that the windings of a posture count from."""
     if isinstance(posture, PairEnd):
         return float(angle_at(posture)(_BITS).mid())

@@ -43,7 +43,7 @@ from cuspaudit.surface.box_edges import start_of
 from cuspaudit.surface.box_stability import count_between
 from cuspaudit.surface.fiber_pieces import AtBall
 from cuspaudit.surface.fibers import FiberPolynomials, fiber_polynomials
-from cuspaudit.surface.sample_points import Posture, sample_points
+from cuspaudit.surface.sample_points import FiberPosture, sample_points
 from cuspaudit.surface.surface import Surface
 
 __all__ = ["ValueCouple", "ValuesDecision", "decide_box_by_values"]
@@ -59,7 +59,7 @@ class ValueCouple:
         sign: of Delta.
     """
 
-    postures: tuple[Posture, Posture]
+    postures: tuple[FiberPosture, FiberPosture]
     windings: tuple[Winding, Winding]
     sign: int
 
@@ -151,7 +151,7 @@ class _Values:
         return len(values), couples
 
     def _couples(
-        self, postures: tuple[Posture, ...], aspects: BoxAspects
+        self, postures: tuple[FiberPosture, ...], aspects: BoxAspects
     ) -> Iterator[ValueCouple]:
         signs = {posture: posture.sign(self.delta) for posture in postures}
         places = {p: self._places(p, aspects, sign) for p, sign in signs.items()}
@@ -164,7 +164,7 @@ class _Values:
                         yield ValueCouple((a, b), (one, two), signs[a])
 
     def _places(
-        self, posture: Posture, aspects: BoxAspects, sign: int
+        self, posture: FiberPosture, aspects: BoxAspects, sign: int
     ) -> list[Winding]:
         fiber = self.fibers.surface.fiber
 

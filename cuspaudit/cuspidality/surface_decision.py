@@ -19,7 +19,7 @@ from cuspaudit.surface.atypical_values import atypical_values
 from cuspaudit.surface.fibers import FiberPolynomials, fiber_polynomials
 from cuspaudit.surface.graph_isotop import RoadmapGraph, graph_isotop
 from cuspaudit.surface.roadmap import SurfaceRoadmap, orient, roadmap
-from cuspaudit.surface.sample_points import Fiber, Posture, sample_points
+from cuspaudit.surface.sample_points import Fiber, FiberPosture, sample_points
 from cuspaudit.surface.surface import Surface, product_factors
 
 __all__ = [
@@ -42,7 +42,7 @@ class SurfaceCouple:
     """
 
     value: tuple[fmpq, fmpq]
-    postures: tuple[Posture, Posture]
+    postures: tuple[FiberPosture, FiberPosture]
     sign: int
 
 

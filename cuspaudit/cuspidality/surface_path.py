@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 from cuspaudit.algebra.angles import beside
 from cuspaudit.algebra.numeric import NumericPolynomial, numeric_values
 from cuspaudit.algebra.ring import Polynomial
-from cuspaudit.surface.sample_points import Posture
+from cuspaudit.surface.sample_points import FiberPosture
 from cuspaudit.surface.surface import Factor, Surface
 
 __all__ = [
@@ -88,7 +88,7 @@ def propose_paths(decision: Decided) -> Iterator[SurfacePath]:
         yield propose_path(decision, couple)
 
 
-def posture_angles(decision: SurfaceDecision, posture: Posture) -> Array:
+def posture_angles(decision: SurfaceDecision, posture: FiberPosture) -> Array:
     """The coordinates of a posture as in `SurfacePath.points`."""
     pair = _angles(decision.surface, posture)
     return pair[::-1] if is_swapped(decision.surface) else pair
@@ -174,7 +174,7 @@ def is_swapped(surface: Surface) -> bool:
     return place(surface.fiber.names[0]) > place(surface.base.names[0])
 
 
-def _angles(surface: Surface, posture: Posture | PairEnd) -> Array:
+def _angles(surface: Surface, posture: FiberPosture | PairEnd) -> Array:
     """The (fiber, base) coordinates of a posture, angles in (-pi, pi] of the chart."""
     y, x = (float(ball.mid()) for ball in posture.chart(_BITS))
     return np.array([_angle(surface.fiber, y), _angle(surface.base, x)])

@@ -14,8 +14,9 @@ from fractions import Fraction
 import numpy as np
 
 from cuspaudit.algebra.angles import shortest_turn
-from cuspaudit.auditing.audit import Audit, Options, audit
+from cuspaudit.auditing.audit import Options, audit
 from cuspaudit.auditing.deciders.decide import answer
+from cuspaudit.auditing.record import FinishedAudit
 from cuspaudit.auditing.search.aspect_routing import AspectRouting, route_aspects
 from cuspaudit.kinematics.exact_model import exact_model
 from cuspaudit.pictures.figures import figures
@@ -51,7 +52,7 @@ def picture_of(
     return figures(found, at)
 
 
-def landscape(audited: Audit) -> Landscape:
+def landscape(audited: FinishedAudit) -> Landscape:
     """The landscape of an audited arm of six revolute joints.
 
     Raises:

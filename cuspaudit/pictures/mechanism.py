@@ -23,7 +23,7 @@ from cuspaudit.geometry.atypical_values import atypical_values
 from cuspaudit.geometry.heights.guessed_ways import random_points
 from cuspaudit.parallel.drawing import drawn
 from cuspaudit.robot.numbers import format_rational
-from cuspaudit.viz.mechanism_page import Frame, MechanismPage
+from cuspaudit.viz.mechanism_page import DrawnWayPoint, MechanismPage
 from cuspaudit.viz.plot.sheet import Note, Sheet
 
 __all__ = ["page_of", "values_sheet"]
@@ -59,13 +59,15 @@ def page_of(system: SystemFile, record: dict[str, Any]) -> MechanismPage:
     )
 
 
-def _frames(system: SystemFile, witness: dict[str, Any] | None) -> Sequence[Frame]:
+def _frames(
+    system: SystemFile, witness: dict[str, Any] | None
+) -> Sequence[DrawnWayPoint]:
     if witness is None or system.loops is None:
         return []
     shown = drawn(system.loops, np.array(witness["path"]))
     bases, ends, anchors = (_flat(p) for p in (shown.bases, shown.ends, shown.anchors))
     return [
-        Frame(
+        DrawnWayPoint(
             [
                 (_pair(a), _pair(b), _pair(c))
                 for a, b, c in zip(bases, end, anchor, strict=True)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from cuspaudit.auditing.record import Audit
+from cuspaudit.auditing.record import FinishedAudit
 from cuspaudit.pictures.postures import shown_postures
 from cuspaudit.robot.formats.urdf.visuals import visuals
 from cuspaudit.robot.library import example_robot_data
@@ -14,7 +14,9 @@ from cuspaudit.viz import build_scene, render_page, sample_path, sample_postures
 __all__ = ["page_text"]
 
 
-def page_text(record: Mapping[str, Any], result: Audit, proof: str | None) -> str:
+def page_text(
+    record: Mapping[str, Any], result: FinishedAudit, proof: str | None
+) -> str:
     """The offline page: the witness path, or the postures of one pose.
 
     Args:

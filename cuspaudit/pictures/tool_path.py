@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from cuspaudit.robot.chain import Angle, Chain
 from cuspaudit.robot.frames import angle_value, frames
 from cuspaudit.toolpath.postures import PostureList
-from cuspaudit.toolpath.traced_path import Run, Trace
+from cuspaudit.toolpath.traced_path import Run, TracedPath
 
 __all__ = ["MOST_RUNS", "postures_drawing", "trace_drawing"]
 
@@ -21,7 +21,7 @@ MOST_RUNS = 24
 _SAMPLES = 61
 
 
-def trace_drawing(trace: Trace) -> dict[str, Any]:
+def trace_drawing(trace: TracedPath) -> dict[str, Any]:
     """The runs sampled for drawing, floating point: at most the first `MOST_RUNS`.
 
     Returns:
@@ -69,7 +69,7 @@ def stick(chain: Chain, values: Sequence[float] | Array) -> list[list[float]]:
     return [[0.0, 0.0, 0.0], *([round(float(x), 5) for x in p] for p in placed)]
 
 
-def _sampled(trace: Trace, run: Run) -> dict[str, Any]:
+def _sampled(trace: TracedPath, run: Run) -> dict[str, Any]:
     """A run at equal steps of the parameter, its ends kept."""
     rows = run.points(trace.arm.scales)
     rows = rows[np.argsort(rows[:, -1], kind="stable")]

@@ -10,7 +10,7 @@ from cuspaudit.robot.chain import Chain
 from cuspaudit.robot.place import Place, quoted
 from cuspaudit.robot.tolerance import AxisTolerance, LooseNumber
 
-__all__ = ["COUNTS", "VERDICTS", "WITHIN", "Reading", "Robot", "parse_expectation"]
+__all__ = ["COUNTS", "VERDICTS", "WITHIN", "Robot", "TableReading", "parse_expectation"]
 
 VERDICTS = ("cuspidal", "noncuspidal", "undecided")
 WITHIN = "within_limits"
@@ -18,7 +18,7 @@ COUNTS = ("aspects", "max_postures", "cusps", "nodes")
 
 
 @dataclass(frozen=True, slots=True)
-class Reading:
+class TableReading:
     """What the rows of a D-H table give in one convention.
 
     Attributes:
@@ -60,7 +60,7 @@ class Robot:
     urdf: Path | None = None
     notes: tuple[str, ...] = ()
     locked: Mapping[str, str] = field(default_factory=dict)
-    other_convention: Reading | None = None
+    other_convention: TableReading | None = None
     beside: tuple[Chain, ...] = ()
     tolerance: AxisTolerance | None = None
     loose: tuple[LooseNumber, ...] = ()

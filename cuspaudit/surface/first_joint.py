@@ -39,7 +39,7 @@ from cuspaudit.errors import UnableError
 from cuspaudit.surface.box_edges import Limit, edge_of
 from cuspaudit.surface.surface import Factor, Surface
 
-__all__ = ["Bound", "FirstJoint", "FirstMotion", "bounds_of", "first_walls"]
+__all__ = ["FirstJoint", "FirstMotion", "LongestMotion", "bounds_of", "first_walls"]
 
 Vector = tuple[Polynomial, Polynomial, Polynomial]
 _HAIR = fmpq(1, 2**30)
@@ -81,7 +81,7 @@ class FirstJoint(FirstMotion):
 
 
 @dataclass(frozen=True)
-class Bound:
+class LongestMotion:
     """The longest motion of joint 1, rational.
 
     Attributes:
@@ -105,7 +105,9 @@ class Bound:
         return a * c + b * d - self.point[0] * (a * a + b * b)
 
 
-def bounds_of(first: FirstMotion | None) -> tuple[Bound | None, Bound | None]:
+def bounds_of(
+    first: FirstMotion | None,
+) -> tuple[LongestMotion | None, LongestMotion | None]:
     """Bounds a hair longer and a hair shorter than the range; None for no bound."""
     if first is None or first.width is None:
         return None, None
@@ -114,7 +116,7 @@ def bounds_of(first: FirstMotion | None) -> tuple[Bound | None, Bound | None]:
         outer, inner = (
             edge_of(width, Factor("line", ("q",)), up) for up in (True, False)
         )
-        return Bound("line", outer.point), Bound("line", inner.point)
+        return LongestMotion("line", outer.point), LongestMotion("line", inner.point)
     half = Limit(fmpq(1), -_HAIR)
     ball, most = width.ball(256), half.ball(256)
     if ball > arb.pi() + arb(_HAIR):
@@ -124,14 +126,14 @@ def bounds_of(first: FirstMotion | None) -> tuple[Bound | None, Bound | None]:
     return None, _turn(half, up=False)
 
 
-def _turn(width: Limit, up: bool) -> Bound:
+def _turn(width: Limit, up: bool) -> LongestMotion:
     # measured from a quarter turn the chart misses no width up to half a turn
     factor = Factor("circle", ("c", "s"), (fmpq(0), fmpq(1)))
-    return Bound("circle", edge_of(width, factor, up).point)
+    return LongestMotion("circle", edge_of(width, factor, up).point)
 
 
 def first_walls(
-    first: FirstJoint, bound: Bound, surface: Surface, ring: Ring
+    first: FirstJoint, bound: LongestMotion, surface: Surface, ring: Ring
 ) -> list[Polynomial]:
     """The walls of a bound, in K[x, w].
 
@@ -172,7 +174,7 @@ def _slides(ring: Ring, base: Base, most: Polynomial) -> Iterator[Polynomial]:
 
 
 def _turned(
-    ring: Ring, base: Base, constants: list[list[Polynomial]], bound: Bound
+    ring: Ring, base: Base, constants: list[list[Polynomial]], bound: LongestMotion
 ) -> Polynomial:
     """Zero where a pair asks for the turn of the bound."""
     height, square, below = base

@@ -16,7 +16,7 @@ from cuspaudit.algebra.ring import Polynomial
 from cuspaudit.algebra.univariate import PRECISIONS
 from cuspaudit.errors import PrecisionError
 from cuspaudit.surface.roadmap import SurfaceRoadmap
-from cuspaudit.surface.sample_points import Fiber, Posture
+from cuspaudit.surface.sample_points import Fiber, FiberPosture
 
 __all__ = ["RoadmapGraph", "Vertex", "components", "graph_isotop", "reached"]
 
@@ -73,7 +73,7 @@ class RoadmapGraph:
 
 
 def graph_isotop(
-    roadmap: SurfaceRoadmap, delta: Polynomial, postures: Sequence[Posture]
+    roadmap: SurfaceRoadmap, delta: Polynomial, postures: Sequence[FiberPosture]
 ) -> RoadmapGraph:
     """The graph of ``roadmap`` with the query points placed on it.
 
@@ -137,7 +137,7 @@ def reached(neighbors: Mapping[Node, Sequence[Node]], start: Node) -> dict[Node,
     return before
 
 
-def _strip(roadmap: SurfaceRoadmap, posture: Posture) -> int:
+def _strip(roadmap: SurfaceRoadmap, posture: FiberPosture) -> int:
     for bits in PRECISIONS:
         try:
             _, x = posture.chart(bits)

@@ -11,7 +11,7 @@ from cuspaudit.algebra.univariate import PRECISIONS, Univariate, real_balls
 from cuspaudit.errors import PrecisionError
 from cuspaudit.surface.fibers import FiberPolynomials
 
-__all__ = ["Fiber", "Posture", "sample_points"]
+__all__ = ["Fiber", "FiberPosture", "sample_points"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -26,10 +26,10 @@ class Fiber:
 
     value: tuple[fmpq, fmpq]
     polynomial: Univariate
-    postures: tuple[Posture, ...] = field(repr=False)
+    postures: tuple[FiberPosture, ...] = field(repr=False)
 
 
-class Posture:
+class FiberPosture:
     """One posture: a simple real root of F and what follows from it rationally."""
 
     def __init__(
@@ -112,7 +112,7 @@ def sample_points(fibers: FiberPolynomials, value: tuple[fmpq, fmpq]) -> Fiber:
     polynomial = specialise(fibers.polynomial)
     s1, s0 = (specialise(p) for p in fibers.linear_factor)
     count = len(isolated_real_roots(polynomial))
-    postures = (Posture(fibers, polynomial, (s1, s0), i) for i in range(count))
+    postures = (FiberPosture(fibers, polynomial, (s1, s0), i) for i in range(count))
     return Fiber(value, polynomial, tuple(postures))
 
 

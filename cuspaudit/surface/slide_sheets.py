@@ -46,7 +46,7 @@ from cuspaudit.algebra.ring import Polynomial, Ring
 from cuspaudit.algebra.system import PolynomialMap
 from cuspaudit.errors import UnableError
 from cuspaudit.surface.box_aspects import Box
-from cuspaudit.surface.first_joint import Bound
+from cuspaudit.surface.first_joint import LongestMotion
 from cuspaudit.surface.surface import Surface
 
 __all__ = ["SlideSheets", "slide_sheets"]
@@ -130,7 +130,7 @@ class SlideSheets:
             yield self.exchanged(wall)
 
     def first_walls(
-        self, bound: Bound, across: tuple[Polynomial, ...]
+        self, bound: LongestMotion, across: tuple[Polynomial, ...]
     ) -> Iterator[Polynomial]:
         """Zeros where joint 1 has to go exactly as far as a bound.
 
@@ -148,7 +148,7 @@ class SlideSheets:
         yield from walls
 
     def _first_walls(
-        self, bound: Bound, across: tuple[Polynomial, ...]
+        self, bound: LongestMotion, across: tuple[Polynomial, ...]
     ) -> Iterator[Polynomial]:
         _, below = self.surface.on_base(
             [part for p in across for part in self.surface.affine_parts(p) or ()]

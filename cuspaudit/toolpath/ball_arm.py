@@ -23,7 +23,7 @@ from numpy.typing import NDArray
 from cuspaudit.algebra.ring import rational
 from cuspaudit.robot.chain import Angle, Chain, Joint, Motion, Translation, Vector
 
-__all__ = ["BITS", "BallArm", "Placed", "angle_ball", "ball_arm", "cross"]
+__all__ = ["BITS", "BallArm", "PlacedArm", "angle_ball", "ball_arm", "cross"]
 
 Array = NDArray[np.float64]
 Step = tuple[arb_mat, arb_mat, arb_mat]
@@ -33,7 +33,7 @@ BITS = 64
 
 
 @dataclass(frozen=True, eq=False)
-class Placed:
+class PlacedArm:
     """A posture, or a box of postures.
 
     Attributes:
@@ -110,7 +110,7 @@ class BallArm:
         """Which joints turn."""
         return np.array(self.revolute)
 
-    def placed(self, values: Sequence[arb]) -> Placed:
+    def placed(self, values: Sequence[arb]) -> PlacedArm:
         """The tip and the screws at ``values``: rad, slides in ``unit``."""
         frame, lines = None, []
         for (fixed, cosine, sine), mark, turns, value in zip(
@@ -136,7 +136,7 @@ class BallArm:
             u, v, w = p[0] - x, p[1] - y, p[2] - z
             turning.append([a, b, c])
             speeds.append([b * w - c * v, c * u - a * w, a * v - b * u])
-        return Placed(tip, turning, speeds)
+        return PlacedArm(tip, turning, speeds)
 
 
 def ball_arm(chain: Chain) -> BallArm:

@@ -20,8 +20,8 @@ from cuspaudit.toolpath.following.strands import Followed, turns_between
 from cuspaudit.toolpath.known import Known
 from cuspaudit.toolpath.limits import (
     MOST_WINDINGS,
+    JointInterval,
     Leaving,
-    Range,
     first_leaving,
     windings,
 )
@@ -38,7 +38,7 @@ def bounded_runs(
     legs: Sequence[LegSystem],
     starts: Sequence[Known],
     found: Followed,
-    ranges: Sequence[Range | None],
+    ranges: Sequence[JointInterval | None],
 ) -> list[Run]:
     """The runs from each start, one for each winding inside the limits.
 
@@ -95,7 +95,10 @@ class _Leavings:
     """Where a run leaves the limits, by joint and winding; each asked for once."""
 
     def __init__(
-        self, legs: Sequence[LegSystem], run: FreeRun, ranges: Sequence[Range | None]
+        self,
+        legs: Sequence[LegSystem],
+        run: FreeRun,
+        ranges: Sequence[JointInterval | None],
     ) -> None:
         self._legs, self._run, self._ranges = legs, run, ranges
         self._known: dict[tuple[int, int], Leaving | None] = {}

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
-from cuspaudit.toolpath.traced_path import Trace
+from cuspaudit.toolpath.traced_path import TracedPath
 
 __all__ = ["Laps", "laps_of"]
 
@@ -38,7 +38,7 @@ class Laps:
     ends_in: tuple[int, ...]
 
 
-def laps_of(trace: Trace, count: int = 1) -> list[Laps]:
+def laps_of(trace: TracedPath, count: int = 1) -> list[Laps]:
     """The laps of every run of a closed path, at most ``count`` of each."""
     if trace.permutation is None or trace.turns is None:
         return []
@@ -49,7 +49,7 @@ def laps_of(trace: Trace, count: int = 1) -> list[Laps]:
 
 
 def _laps(
-    trace: Trace,
+    trace: TracedPath,
     sigma: Sequence[int | None],
     turns: Sequence[tuple[int, ...] | None],
     start: int,
@@ -77,7 +77,7 @@ def _laps(
 
 
 def _kind(
-    trace: Trace,
+    trace: TracedPath,
     sigma: Sequence[int | None],
     turns: Sequence[tuple[int, ...] | None],
     start: int,

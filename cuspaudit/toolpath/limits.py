@@ -26,11 +26,11 @@ from cuspaudit.runtime.clock import time_is_up
 from cuspaudit.toolpath.ball_arm import angle_ball
 from cuspaudit.toolpath.following.leg_system import LegSystem
 from cuspaudit.toolpath.following.runs import FreeRun
-from cuspaudit.toolpath.following.strand import Link, settled, split
+from cuspaudit.toolpath.following.strand import TubeLink, settled, split
 from cuspaudit.toolpath.following.tube import knot_at
 from cuspaudit.toolpath.following.tube_axis import beside
 
-__all__ = ["Leaving", "Range", "first_leaving", "joint_ranges", "windings"]
+__all__ = ["JointInterval", "Leaving", "first_leaving", "joint_ranges", "windings"]
 
 Array = NDArray[np.float64]
 
@@ -41,7 +41,7 @@ MOST_WINDINGS = 10_000
 
 
 @dataclass(frozen=True, slots=True)
-class Range:
+class JointInterval:
     """The open interval of a joint, in the coordinates of the balls.
 
     Attributes:
@@ -52,10 +52,10 @@ class Range:
     low: arb
     high: arb
 
-    def shifted(self, turns: int) -> Range:
+    def shifted(self, turns: int) -> JointInterval:
         """The interval of the winding that has ``turns`` turns less."""
         step = 2 * arb.pi() * turns
-        return Range(self.low - step, self.high - step)
+        return JointInterval(self.low - step, self.high - step)
 
     def has(self, value: arb) -> bool | None:
         """Whether a value is inside; None where that cannot be told."""
@@ -83,9 +83,9 @@ class Leaving:
     posture: Array
 
 
-def joint_ranges(joints: Sequence[Joint], scales: Array) -> list[Range | None]:
+def joint_ranges(joints: Sequence[Joint], scales: Array) -> list[JointInterval | None]:
     """The interval of each joint; None where it has no limits."""
-    result: list[Range | None] = []
+    result: list[JointInterval | None] = []
     for joint, scale in zip(joints, scales, strict=True):
         if joint.limits is None:
             result.append(None)
@@ -96,12 +96,12 @@ def joint_ranges(joints: Sequence[Joint], scales: Array) -> list[Range | None]:
             else arb(rational(limit)) / scale
             for limit in joint.limits
         )
-        result.append(Range(low + _INWARD, high - _INWARD))
+        result.append(JointInterval(low + _INWARD, high - _INWARD))
     return result
 
 
 def windings(
-    ranges: Sequence[Range | None],
+    ranges: Sequence[JointInterval | None],
     turning: Sequence[bool],
     values: Sequence[arb],
     usual: Sequence[int],
@@ -133,7 +133,7 @@ def windings(
 
 
 def first_leaving(
-    legs: Sequence[LegSystem], run: FreeRun, joint: int, interval: Range
+    legs: Sequence[LegSystem], run: FreeRun, joint: int, interval: JointInterval
 ) -> Leaving | None:
     """Where ``run`` first leaves the interval of a joint; None if it never does.
 
@@ -155,7 +155,11 @@ def first_leaving(
 
 
 def _in_link(
-    legs: Sequence[LegSystem], run: FreeRun, link: Link, k: int, interval: Range
+    legs: Sequence[LegSystem],
+    run: FreeRun,
+    link: TubeLink,
+    k: int,
+    interval: JointInterval,
 ) -> Leaving | None:
     tube = link.tube
     if tube.low[k] > interval.low and tube.high[k] < interval.high:
@@ -180,7 +184,9 @@ def _in_link(
     return None
 
 
-def _isolated(system: LegSystem, link: Link, k: int, interval: Range) -> Leaving:
+def _isolated(
+    system: LegSystem, link: TubeLink, k: int, interval: JointInterval
+) -> Leaving:
     """The one place on the link where joint k is at its limit."""
     tube = link.tube
     ends = (link.before.at[k], link.after.at[k])
@@ -207,7 +213,7 @@ def _isolated(system: LegSystem, link: Link, k: int, interval: Range) -> Leaving
     return Leaving(k, s - slack, s + slack, True, y[:-1])
 
 
-def _somewhere(link: Link, k: int, proved: bool) -> Leaving:
+def _somewhere(link: TubeLink, k: int, proved: bool) -> Leaving:
     low, high = float(link.tube.low[-1]), float(link.tube.high[-1])
     middle = (link.before.at + link.after.at) / 2
     return Leaving(k, link.leg + low, link.leg + high, proved, middle[:-1])

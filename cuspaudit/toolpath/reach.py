@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from cuspaudit.toolpath.ball_arm import BITS
 from cuspaudit.toolpath.following.starts import solve_pose
 from cuspaudit.toolpath.traced_arm import TracedArm
-from cuspaudit.toolpath.traced_path import Trace
+from cuspaudit.toolpath.traced_path import TracedPath
 from cuspaudit.toolpath.waypoints import Pose
 
 __all__ = ["Unreachable", "first_unreachable", "out_of_reach"]
@@ -46,7 +46,7 @@ class Unreachable:
     turn: float | None
 
 
-def first_unreachable(trace: Trace) -> Unreachable | None:
+def first_unreachable(trace: TracedPath) -> Unreachable | None:
     """The first waypoint without a posture, looked for where no run is alive."""
     free = [run.free for run in trace.runs if run.free is not None]
     alive = max((run.end.high for run in free), default=-1.0)

@@ -15,14 +15,16 @@ from cuspaudit.toolpath.following.margins import (
 from cuspaudit.toolpath.laps import laps_of
 from cuspaudit.toolpath.reach import first_unreachable
 from cuspaudit.toolpath.recorded import recorded_motion
-from cuspaudit.toolpath.traced_path import Run, Trace
+from cuspaudit.toolpath.traced_path import Run, TracedPath
 
 __all__ = ["SCHEMA", "exit_code", "trace_record"]
 
 SCHEMA = "cuspaudit/trace/1"
 
 
-def trace_record(trace: Trace, name: str, file: str, laps: int = 1) -> dict[str, Any]:
+def trace_record(
+    trace: TracedPath, name: str, file: str, laps: int = 1
+) -> dict[str, Any]:
     """The record of a trace: angles in rad, lengths in the robot's unit.
 
     Args:
@@ -95,7 +97,7 @@ def trace_record(trace: Trace, name: str, file: str, laps: int = 1) -> dict[str,
     }
 
 
-def exit_code(trace: Trace) -> int:
+def exit_code(trace: TracedPath) -> int:
     """0 if every start posture reaches the end, and repeats on a closed path.
 
     1 if some do not, or there is no posture inside the limits at the first pose; 3 if
@@ -112,12 +114,12 @@ def exit_code(trace: Trace) -> int:
     return 0
 
 
-def _of_inside(trace: Trace) -> list[Any]:
+def _of_inside(trace: TracedPath) -> list[Any]:
     every = laps_of(trace)
     return [one for one, run in zip(every, trace.runs, strict=False) if run.inside]
 
 
-def _run(trace: Trace, run: Run) -> dict[str, Any]:
+def _run(trace: TracedPath, run: Run) -> dict[str, Any]:
     return {
         "posture": run.posture,
         "start": list(run.start),
@@ -140,13 +142,13 @@ def _finite(value: float) -> float | None:
     return value if np.isfinite(value) else None
 
 
-def _orientation(trace: Trace) -> str | None:
+def _orientation(trace: TracedPath) -> str | None:
     if trace.arm.task == "position":
         return None
     return "about one axis at constant rate"
 
 
-def _grounds(trace: Trace) -> list[str]:
+def _grounds(trace: TracedPath) -> list[str]:
     grounds = list(trace.first.grounds)
     for ground in ("Krawczyk tubes", "ball arithmetic"):
         if any(run.free is not None for run in trace.runs):

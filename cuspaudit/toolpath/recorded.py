@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from cuspaudit.toolpath.traced_path import Run, Trace
+from cuspaudit.toolpath.traced_path import Run, TracedPath
 
 __all__ = ["Recorded", "recorded_motion"]
 
@@ -35,7 +35,7 @@ class Recorded:
     leaves_after: int | None
 
 
-def recorded_motion(trace: Trace) -> Recorded | None:
+def recorded_motion(trace: TracedPath) -> Recorded | None:
     """The run that the joint vectors of the path follow; None if it has none."""
     joints = trace.path.joints
     if joints is None:
@@ -51,7 +51,7 @@ def recorded_motion(trace: Trace) -> Recorded | None:
     return Recorded(None, None)
 
 
-def _at_waypoint(trace: Trace, run: Run, k: int) -> Array | None:
+def _at_waypoint(trace: TracedPath, run: Run, k: int) -> Array | None:
     """The joint values of a run at a waypoint; None where it has ended."""
     if run.free is None or k > run.at:
         return None
@@ -63,7 +63,7 @@ def _at_waypoint(trace: Trace, run: Run, k: int) -> Array | None:
     return np.asarray(rows[at, :n] * trace.arm.scales[:n])
 
 
-def _is_same(trace: Trace, a: Array, b: Array) -> bool:
+def _is_same(trace: TracedPath, a: Array, b: Array) -> bool:
     turning = trace.arm.turning[: trace.arm.joints]
     gap = np.where(turning, 2 * np.sin((a - b) / 2), a - b)
     return bool(np.abs(gap).max() < _SAME)

@@ -8,12 +8,12 @@ from cuspaudit.auditing.search.lift import close
 from cuspaudit.auditing.witness import certified
 from cuspaudit.certificate import text_from_certificate
 from cuspaudit.errors import RetryableError, UnableError
-from cuspaudit.toolpath.traced_path import Trace
+from cuspaudit.toolpath.traced_path import TracedPath
 
 __all__ = ["run_certificate"]
 
 
-def run_certificate(trace: Trace) -> str:
+def run_certificate(trace: TracedPath) -> str:
     """The certificate, as text, of the first run that changes posture and is proved.
 
     Its path goes straight from point to point of the run, its last point moved to the

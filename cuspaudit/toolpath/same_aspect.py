@@ -30,7 +30,7 @@ from cuspaudit.toolpath.joint_pose import JointValue, float_values, value_balls
 from cuspaudit.toolpath.limits import joint_ranges
 from cuspaudit.toolpath.traced_arm import TracedArm
 
-__all__ = ["Connection", "connection_record", "same_aspect", "sign_near"]
+__all__ = ["FoundConnection", "connection_record", "same_aspect", "sign_near"]
 
 Array = NDArray[np.float64]
 
@@ -40,7 +40,7 @@ _ROUNDED = 1e-12
 
 
 @dataclass(frozen=True, eq=False)
-class Connection:
+class FoundConnection:
     """Whether two joint vectors lie in one aspect.
 
     Attributes:
@@ -67,7 +67,7 @@ def same_aspect(
     seed: int = 0,
     progress: Callable[[str], None] = lambda step: None,
     timeout: float | None = None,
-) -> Connection:
+) -> FoundConnection:
     """Whether the arm can go from one joint vector to another without a singularity.
 
     Args:
@@ -83,8 +83,8 @@ def same_aspect(
         ends = [_completed(arm, value_balls(values)) for values in (first, second)]
         signs = (sign_near(arm, ends[0]), sign_near(arm, ends[1]))
 
-        def result(answer: Any, why: str, path: Array | None = None) -> Connection:
-            return Connection(answer, why, path, signs, within_limits)
+        def result(answer: Any, why: str, path: Array | None = None) -> FoundConnection:
+            return FoundConnection(answer, why, path, signs, within_limits)
 
         for number, sign in zip(("first", "second"), signs, strict=True):
             if sign is None:
@@ -141,7 +141,7 @@ def _together(
     return None not in names and len(names) == 1
 
 
-def connection_record(found: Connection, name: str, file: str) -> dict[str, Any]:
+def connection_record(found: FoundConnection, name: str, file: str) -> dict[str, Any]:
     """The answer as a JSON record, schema ``cuspaudit/same/1``."""
     return {
         "schema": SCHEMA,

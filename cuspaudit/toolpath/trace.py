@@ -27,9 +27,9 @@ from cuspaudit.toolpath.following.strands import (
     turns_between,
 )
 from cuspaudit.toolpath.known import Known, known_posture
-from cuspaudit.toolpath.limits import Range, joint_ranges
+from cuspaudit.toolpath.limits import JointInterval, joint_ranges
 from cuspaudit.toolpath.traced_arm import TracedArm
-from cuspaudit.toolpath.traced_path import Birth, Run, Trace
+from cuspaudit.toolpath.traced_path import Birth, Run, TracedPath
 from cuspaudit.toolpath.waypoints import ToolPath
 
 __all__ = ["trace_path"]
@@ -42,7 +42,7 @@ def trace_path(
     seed: int = 0,
     progress: Callable[[str], None] = lambda step: None,
     timeout: float | None = None,
-) -> Trace:
+) -> TracedPath:
     """Follow a tool path from every posture of its first pose.
 
     Args:
@@ -81,7 +81,7 @@ def trace_path(
         ranges = _ranges(arm, limited)
         runs = bounded_runs(arm, legs, starts, found, ranges)
         sigma, turns = _permutation(arm, path, runs, ranges)
-        return Trace(
+        return TracedPath(
             arm,
             path,
             limited,
@@ -119,7 +119,7 @@ def _all_met(found: Followed, starts: Sequence[Known], ends: Sequence[Known]) ->
     return all(known.sign == 0 or run is not None for known, run in pairs)
 
 
-def _ranges(arm: TracedArm, limited: bool) -> list[Range | None]:
+def _ranges(arm: TracedArm, limited: bool) -> list[JointInterval | None]:
     if not limited:
         return [None] * len(arm.chain.joints)
     return joint_ranges(arm.chain.joints, arm.scales)
@@ -140,7 +140,10 @@ def _births(arm: TracedArm, found: Followed) -> list[Birth]:
 
 
 def _permutation(
-    arm: TracedArm, path: ToolPath, runs: Sequence[Run], ranges: Sequence[Range | None]
+    arm: TracedArm,
+    path: ToolPath,
+    runs: Sequence[Run],
+    ranges: Sequence[JointInterval | None],
 ) -> tuple[tuple[int | None, ...] | None, tuple[tuple[int, ...] | None, ...] | None]:
     """For each run of a closed path the run it ends in, and the turns left over.
 

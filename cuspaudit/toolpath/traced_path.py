@@ -20,7 +20,7 @@ from cuspaudit.toolpath.following.starts import Solved
 from cuspaudit.toolpath.traced_arm import TracedArm
 from cuspaudit.toolpath.waypoints import ToolPath
 
-__all__ = ["Birth", "End", "Run", "Trace"]
+__all__ = ["Birth", "End", "Run", "TracedPath"]
 
 Array = NDArray[np.float64]
 End = Literal["reached", "singular", "limit", "undecided"]
@@ -91,7 +91,7 @@ class Birth:
 
 
 @dataclass(frozen=True, eq=False)
-class Trace:
+class TracedPath:
     """What becomes of every posture of the first pose of a tool path.
 
     Attributes:

@@ -9,13 +9,13 @@ from markupsafe import Markup
 
 from cuspaudit.viz.offline import asset, environment, policy
 
-__all__ = ["Frame", "MechanismPage", "mechanism_page"]
+__all__ = ["DrawnWayPoint", "MechanismPage", "mechanism_page"]
 
 Pair = tuple[float, float]
 
 
 @dataclass(frozen=True)
-class Frame:
+class DrawnWayPoint:
     """One way point, in the plane of the drawing.
 
     Attributes:
@@ -41,7 +41,7 @@ class MechanismPage:
     title: str
     verdict: str
     facts: Mapping[str, str]
-    frames: Sequence[Frame]
+    frames: Sequence[DrawnWayPoint]
 
 
 def mechanism_page(page: MechanismPage) -> str:

@@ -25,7 +25,7 @@ _SIGNS = {1: "plus", -1: "minus"}
 
 
 @dataclass(frozen=True)
-class Curve:
+class RunCurve:
     """A run in one panel.
 
     Attributes:
@@ -60,7 +60,7 @@ class Panel:
     name: str
     low: str
     high: str
-    curves: tuple[Curve, ...]
+    curves: tuple[RunCurve, ...]
     limits: tuple[float, ...]
 
 
@@ -131,7 +131,7 @@ def _panel(record: Mapping[str, Any], drawing: Mapping[str, Any], k: int) -> Pan
             place(s, value[k]) for s, value in zip(run["s"], run["values"], strict=True)
         ]
         curves.append(
-            Curve(
+            RunCurve(
                 " ".join(f"{x},{y}" for x, y in dots),
                 _SIGNS.get(own["sign"], "none"),
                 number,

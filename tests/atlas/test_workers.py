@@ -6,23 +6,23 @@ from pathlib import Path
 import pytest
 
 from cuspaudit.atlas import workers
-from cuspaudit.atlas.arm import Arm, Made
+from cuspaudit.atlas.arm import AtlasArm, Made
 from cuspaudit.atlas.entry import Entry
 from cuspaudit.atlas.site import build_site
 from cuspaudit.atlas.workers import made_here, made_on_cluster
 from cuspaudit.errors import InvalidInputError
 
 
-def short(arm: Arm, key: str) -> list[Made]:
+def short(arm: AtlasArm, key: str) -> list[Made]:
     """An audit that takes no time, and dies for one arm."""
     if arm.slug == "deadly" and "inside" in key:
         os._exit(1)
     return [Made(Entry(arm.slug, arm.slug, arm.source, verdict="undecided", key=key))]
 
 
-def arms(*slugs: str, key: str = "") -> list[tuple[Arm, str]]:
+def arms(*slugs: str, key: str = "") -> list[tuple[AtlasArm, str]]:
     """Arms of these names."""
-    return [(Arm(f"{slug}.yaml", slug, 1.0), key) for slug in slugs]
+    return [(AtlasArm(f"{slug}.yaml", slug, 1.0), key) for slug in slugs]
 
 
 @pytest.mark.parametrize("processes", [1, 3])

@@ -15,10 +15,10 @@ from short_tables import Number, arm, with_wrist
 
 import cuspaudit
 from cuspaudit.auditing import record as record_module
-from cuspaudit.auditing.audit import Audit, Options, audit
+from cuspaudit.auditing.audit import Options, audit
 from cuspaudit.auditing.deciders.decide import decide
 from cuspaudit.auditing.deciders.registry import DECIDERS
-from cuspaudit.auditing.record import SCHEMA
+from cuspaudit.auditing.record import SCHEMA, FinishedAudit
 from cuspaudit.certificate import verify
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import DegenerateMapError, UnableError
@@ -54,7 +54,7 @@ NAMES = ["chablat-2022-3r", "baili-2004-wt1", "ur5", "puma-560", "abb-gofa-5"]
 
 
 @pytest.fixture(scope="module")
-def audits() -> dict[str, Audit]:
+def audits() -> dict[str, FinishedAudit]:
     """A cuspidal, two noncuspidal, a reduced and a searched robot, audited."""
     return {name: audit(open_robot(name), Options(seed=5)) for name in NAMES}
 
@@ -67,7 +67,7 @@ def robot_of(
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_every_key_is_there(audits: dict[str, Audit], name: str) -> None:
+def test_every_key_is_there(audits: dict[str, FinishedAudit], name: str) -> None:
     """The documented keys are present, null where they do not apply."""
     record = audits[name].record()
     assert set(record) == KEYS[""]
@@ -83,7 +83,7 @@ def test_every_key_is_there(audits: dict[str, Audit], name: str) -> None:
 
 @pytest.mark.parametrize("name", NAMES)
 def test_the_record_is_json_and_fits_its_schema(
-    audits: dict[str, Audit], name: str
+    audits: dict[str, FinishedAudit], name: str
 ) -> None:
     """It survives being written strictly and fits the schema that ships."""
     record = audits[name].record("arm.certificate.json")
@@ -93,7 +93,7 @@ def test_the_record_is_json_and_fits_its_schema(
 
 @pytest.mark.parametrize("name", NAMES)
 def test_the_verdict_and_its_proof_belong_together(
-    audits: dict[str, Audit], name: str
+    audits: dict[str, FinishedAudit], name: str
 ) -> None:
     """A witness for cuspidal, a proof for noncuspidal, a reason for undecided."""
     found = audits[name]
@@ -112,7 +112,7 @@ def test_the_verdict_and_its_proof_belong_together(
     assert "msolve" not in record["proof"]["rests_on"]
 
 
-def test_the_paper_s_arm(audits: dict[str, Audit]) -> None:
+def test_the_paper_s_arm(audits: dict[str, FinishedAudit]) -> None:
     """The numbers of the ISSAC 2022 arm, and a witness that verifies."""
     found = audits["chablat-2022-3r"]
     record = found.record("here.json")
@@ -132,7 +132,7 @@ def test_the_paper_s_arm(audits: dict[str, Audit]) -> None:
     assert verify(found.witness.certificate).accepted
 
 
-def test_a_reduction_is_named(audits: dict[str, Audit]) -> None:
+def test_a_reduction_is_named(audits: dict[str, FinishedAudit]) -> None:
     """The UR5 by its pattern, the PUMA by its wrist; nothing else is claimed."""
     ur5, puma = (audits[name].record() for name in ("ur5", "puma-560"))
     assert ur5["proof"]["reduction"] == "UR pattern"

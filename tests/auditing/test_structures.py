@@ -10,7 +10,7 @@ from short_tables import arm, ask, shift, with_wrist
 
 from cuspaudit.auditing.audit import audit
 from cuspaudit.auditing.options import Options
-from cuspaudit.auditing.structures import Structure, near_structures
+from cuspaudit.auditing.structures import JudgedStructure, near_structures
 from cuspaudit.cli.summary import print_summary
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.kinematics.exact_model import exact_model
@@ -32,7 +32,7 @@ def broken(chain: Chain) -> Chain:
     return chain.with_joints([*joints, replace(last, before=aside)])
 
 
-def near(chain: Chain) -> dict[str, Structure]:
+def near(chain: Chain) -> dict[str, JudgedStructure]:
     """The structures near a chain, by name."""
     return {found.name: found for found in near_structures(ask(chain))}
 

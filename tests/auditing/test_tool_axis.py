@@ -8,7 +8,8 @@ import jsonschema
 import pytest
 
 import cuspaudit
-from cuspaudit.auditing.audit import Audit, audit
+from cuspaudit.auditing.audit import audit
+from cuspaudit.auditing.record import FinishedAudit
 from cuspaudit.certificate import certificate_from_text, text_from_certificate, verify
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import DegenerateMapError, InvalidCertificateError
@@ -19,12 +20,12 @@ from cuspaudit.robot.library import open_robot
 
 
 @pytest.fixture(scope="module")
-def five() -> Audit:
+def five() -> FinishedAudit:
     """The ISSAC arm with a symmetric tool on two more joints, audited."""
     return audit(open_robot("chablat-2022-5r"))
 
 
-def test_the_record_speaks_of_the_robots_own_joints(five: Audit) -> None:
+def test_the_record_speaks_of_the_robots_own_joints(five: FinishedAudit) -> None:
     """Five joints; both postures hold the tip in one place, its z axis the same way."""
     record = five.record()
     schema = Path(cuspaudit.__file__).parent / "auditing" / "schema.json"
@@ -40,7 +41,7 @@ def test_the_record_speaks_of_the_robots_own_joints(five: Audit) -> None:
     assert first[:3, 0] != pytest.approx(second[:3, 0], abs=1e-3)
 
 
-def test_the_page_shows_the_robots_own_joints(five: Audit) -> None:
+def test_the_page_shows_the_robots_own_joints(five: FinishedAudit) -> None:
     """The virtual joint is not drawn; what is claimed of the tool is said."""
     page = page_text(five.record(), five, None)
     assert "position with its z axis in the same direction" in page
@@ -48,7 +49,7 @@ def test_the_page_shows_the_robots_own_joints(five: Audit) -> None:
     assert "joint_6" not in page
 
 
-def test_the_certificate_names_its_virtual_joint(five: Audit) -> None:
+def test_the_certificate_names_its_virtual_joint(five: FinishedAudit) -> None:
     """It is proved from its text alone, and refused with a tool beyond that joint."""
     assert five.witness is not None
     claim = certificate_from_text(text_from_certificate(five.witness.certificate))
@@ -70,7 +71,7 @@ def test_the_certificate_names_its_virtual_joint(five: Audit) -> None:
             verify(broken)
 
 
-def test_a_last_joint_that_is_the_tool_axis_is_told(five: Audit) -> None:
+def test_a_last_joint_that_is_the_tool_axis_is_told(five: FinishedAudit) -> None:
     """A joint that turns about the tool axis moves nothing of the task."""
     robot = five.robot
     with pytest.raises(DegenerateMapError, match="joint_5 turns about the tool axis"):

@@ -9,7 +9,8 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from cuspaudit.auditing.audit import Audit, audit
+from cuspaudit.auditing.audit import audit
+from cuspaudit.auditing.record import FinishedAudit
 from cuspaudit.certificate.margin import margin_of
 from cuspaudit.robot.frames import jacobian
 from cuspaudit.robot.library import open_robot
@@ -18,7 +19,7 @@ NAMES = ("chablat-2022-3r", "fanuc-crx-10ia-l", "chablat-2022-5r")
 
 
 @pytest.fixture(scope="module")
-def audits() -> dict[str, Audit]:
+def audits() -> dict[str, FinishedAudit]:
     """Cuspidal arms of three, six and five joints."""
     return {name: audit(open_robot(name)) for name in NAMES}
 
@@ -31,7 +32,7 @@ def points(path: np.ndarray, count: int) -> np.ndarray:
 
 @pytest.mark.parametrize("name", NAMES)
 def test_no_posture_within_the_margin_is_singular(
-    audits: dict[str, Audit], name: str
+    audits: dict[str, FinishedAudit], name: str
 ) -> None:
     """The sign of det J stays at postures on the rim, those downhill among them."""
     found = audits[name]
@@ -49,7 +50,7 @@ def test_no_posture_within_the_margin_is_singular(
             assert np.sign(value) == witness.sign
 
 
-def downhill(found: Audit, q: np.ndarray) -> np.ndarray:
+def downhill(found: FinishedAudit, q: np.ndarray) -> np.ndarray:
     """The unit gradient of det J."""
     assert found.witness is not None
     chain, step = found.witness.chain, 1e-6 * np.eye(len(q))
@@ -61,7 +62,7 @@ def downhill(found: Audit, q: np.ndarray) -> np.ndarray:
 
 
 def test_the_margin_is_no_larger_than_the_true_distance(
-    audits: dict[str, Audit],
+    audits: dict[str, FinishedAudit],
 ) -> None:
     """Ways downhill from the path meet a singular posture, all beyond the margin."""
     found = audits["chablat-2022-3r"]
@@ -79,7 +80,9 @@ def test_the_margin_is_no_larger_than_the_true_distance(
     assert found.margin < min(met) < 12 * found.margin
 
 
-def test_a_path_that_touches_a_singularity_has_none(audits: dict[str, Audit]) -> None:
+def test_a_path_that_touches_a_singularity_has_none(
+    audits: dict[str, FinishedAudit],
+) -> None:
     """A way point moved beyond det J = 0 leaves nothing to prove."""
     witness = audits["chablat-2022-3r"].witness
     assert witness is not None
@@ -90,7 +93,7 @@ def test_a_path_that_touches_a_singularity_has_none(audits: dict[str, Audit]) ->
 
 
 def test_it_is_written_and_only_where_there_is_a_path(
-    audits: dict[str, Audit],
+    audits: dict[str, FinishedAudit],
 ) -> None:
     """JSON has it in rad, proved; a noncuspidal arm has none."""
     found = audits["fanuc-crx-10ia-l"]

@@ -16,9 +16,10 @@ import pytest
 
 import cuspaudit
 from cuspaudit.auditing.aspects import count_aspects
-from cuspaudit.auditing.audit import Audit, Options, audit
+from cuspaudit.auditing.audit import Options, audit
 from cuspaudit.auditing.proofs.certificates import certificate_text
-from cuspaudit.auditing.witness import Witness
+from cuspaudit.auditing.record import FinishedAudit
+from cuspaudit.auditing.witness import CertifiedPath
 from cuspaudit.certificate import (
     PathCertificate,
     certificate_from_text,
@@ -82,7 +83,7 @@ def audited(corpus: Path, name: str, entry: dict[str, str]) -> Row:
     return Row(name, record["verdict"], cells, tuple(_faults(found, entry)))
 
 
-def _faults(found: Audit, entry: dict[str, str]) -> list[str]:
+def _faults(found: FinishedAudit, entry: dict[str, str]) -> list[str]:
     expected = "noncuspidal" if entry["klass_snapped"] in ("a", "b") else "cuspidal"
     verdict = found.verdict.value
     faults = []
@@ -95,7 +96,7 @@ def _faults(found: Audit, entry: dict[str, str]) -> list[str]:
     return faults + _without_proof(found)
 
 
-def _without_proof(found: Audit) -> list[str]:
+def _without_proof(found: FinishedAudit) -> list[str]:
     """What is wrong with the certificate of the verdict, asked of both checkers."""
     text = certificate_text(found)
     if text is None:
@@ -150,7 +151,7 @@ def _counted(count: int | None, proved: bool) -> str:
     return "–" if count is None else f"{count}{'' if proved else ' seen'}"
 
 
-def _clearance(witness: Witness | None) -> str:
+def _clearance(witness: CertifiedPath | None) -> str:
     return "" if witness is None else f"{witness.clearance:.1e}"
 
 

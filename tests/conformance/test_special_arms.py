@@ -10,9 +10,10 @@ from numeric_oracle import decide
 from special_arms import NONCUSPIDAL, SIX, WRITINGS, SpecialArm, special_arms
 
 from cuspaudit.auditing.as_written import AsWritten
-from cuspaudit.auditing.audit import Audit, audit
+from cuspaudit.auditing.audit import audit
 from cuspaudit.auditing.options import Options
 from cuspaudit.auditing.proofs.certificates import certificate_of_audit
+from cuspaudit.auditing.record import FinishedAudit
 from cuspaudit.certificate import verify
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.robot.library import open_robot
@@ -30,7 +31,7 @@ def known(arm: SpecialArm) -> str:
     return decide(arm.regional)
 
 
-def audited(arm: SpecialArm, folder: Path) -> Audit:
+def audited(arm: SpecialArm, folder: Path) -> FinishedAudit:
     """The audit of the arm as its file has it; the literal numbers are not asked."""
     text, ending = arm.file()
     file = folder / f"special{ending}"
@@ -39,7 +40,7 @@ def audited(arm: SpecialArm, folder: Path) -> Audit:
     return audit(open_robot(file, task=task), Options(timeout=120))
 
 
-def unfounded(found: Audit) -> Iterator[str]:
+def unfounded(found: FinishedAudit) -> Iterator[str]:
     """What the record calls proved without an exact model or a certificate."""
     record, exact = found.record(), found.answer.model.is_exact
     certificate = certificate_of_audit(found)

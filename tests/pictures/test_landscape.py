@@ -5,14 +5,15 @@ from functools import cache
 import numpy as np
 import pytest
 
-from cuspaudit.auditing.audit import Audit, Options, audit
+from cuspaudit.auditing.audit import Options, audit
+from cuspaudit.auditing.record import FinishedAudit
 from cuspaudit.pictures.landscape import landscape, picture_of
 from cuspaudit.robot.library import open_robot
 from cuspaudit.viz.plot.data import Figures, Landscape
 
 
 @cache
-def audited(name: str) -> Audit:
+def audited(name: str) -> FinishedAudit:
     """The audit of a robot of the library."""
     return audit(open_robot(name))
 

@@ -17,7 +17,12 @@ from cuspaudit.errors import UnableError
 from cuspaudit.kinematics.exact_model import exact_model
 from cuspaudit.kinematics.polynomial_map import reduced_map
 from cuspaudit.robot.chain import Chain
-from cuspaudit.surface.first_joint import Bound, FirstJoint, bounds_of, first_walls
+from cuspaudit.surface.first_joint import (
+    FirstJoint,
+    LongestMotion,
+    bounds_of,
+    first_walls,
+)
 from cuspaudit.surface.pair_sheets import PairSheets, pair_sheets
 from cuspaudit.surface.surface import Surface
 from cuspaudit.surface.value_circles import value_circles
@@ -60,12 +65,12 @@ def motion(surface: Surface, first: FirstJoint, pair: tuple[PairEnd, PairEnd]) -
     return abs(math.atan2(a * d - b * c, a * c + b * d))
 
 
-def bound(first: FirstJoint, size: float) -> Bound:
+def bound(first: FirstJoint, size: float) -> LongestMotion:
     """A bound of this size, nearly, rational."""
     if first.kind == "line":
-        return Bound("line", (fmpq(round(size * 2**40), 2**40),))
+        return LongestMotion("line", (fmpq(round(size * 2**40), 2**40),))
     t = fmpq(round(math.tan(size / 2) * 2**40), 2**40)
-    return Bound("circle", ((1 - t * t) / (1 + t * t), 2 * t / (1 + t * t)))
+    return LongestMotion("circle", ((1 - t * t) / (1 + t * t), 2 * t / (1 + t * t)))
 
 
 @pytest.mark.parametrize(
@@ -115,7 +120,7 @@ def test_a_turn_by_half_needs_no_bound() -> None:
 def test_what_all_pairs_ask_for_is_said() -> None:
     """A wall that is zero everywhere is refused, not dropped."""
     surface, sheets, first = pairs_of(SLIDE)
-    still = Bound("line", (fmpq(0),))
+    still = LongestMotion("line", (fmpq(0),))
     ring = sheets.circles.ring
     assert all(w != 0 for w in first_walls(first, still, surface, ring))
     flat = replace(first, height=surface.ring.constant(0))

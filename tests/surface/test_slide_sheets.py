@@ -17,7 +17,7 @@ from cuspaudit.kinematics.tip_circles import tip_across
 from cuspaudit.robot.chain import Chain
 from cuspaudit.surface.box_aspects import Box
 from cuspaudit.surface.box_edges import Edge
-from cuspaudit.surface.first_joint import Bound
+from cuspaudit.surface.first_joint import LongestMotion
 from cuspaudit.surface.slide_sheets import SlideSheets, slide_sheets
 from cuspaudit.surface.surface import Surface, product_factors
 
@@ -74,7 +74,7 @@ def test_walls_are_where_an_end_meets_them() -> None:
     sheets, delta = sheets_of(TURNS)
     assert sheets is not None
     across = tip_across(exact_model(TURNS))
-    bound = Bound("circle", (fmpq(3, 5), fmpq(4, 5)))
+    bound = LongestMotion("circle", (fmpq(3, 5), fmpq(4, 5)))
     edge = Edge(sheets.surface.fiber, 0, fmpq(1, 3))
     _, _, own, _ = sheets.walls(delta)
     low, _, _, _ = sheets.box_walls(Box((edge, edge), None))

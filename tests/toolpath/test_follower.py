@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from cuspaudit.toolpath.joint_pose import pose_of_joints
 from cuspaudit.toolpath.trace import trace_path
 from cuspaudit.toolpath.traced_arm import TracedArm
-from cuspaudit.toolpath.traced_path import Run, Trace
+from cuspaudit.toolpath.traced_path import Run, TracedPath
 from cuspaudit.toolpath.waypoints import ToolPath
 from tests.toolpath.traced_arms import crx, exact, fact, mirror, places
 
@@ -41,14 +41,14 @@ def follow(arm: TracedArm, path: ToolPath, start: Array) -> tuple[float, Array]:
     return float(path.legs), values
 
 
-def along(trace: Trace, run: Run, at: float) -> Array:
+def along(trace: TracedPath, run: Run, at: float) -> Array:
     """The coordinates of a run at a parameter, by interpolation."""
     assert run.free is not None
     rows = run.free.points
     return np.array([np.interp(at, rows[:, -1], column) for column in rows.T[:-1]])
 
 
-def compare(trace: Trace) -> tuple[int, list[int]]:
+def compare(trace: TracedPath) -> tuple[int, list[int]]:
     """How many runs the follower agrees with, and those where it jumps.
 
     A jump is a step of the follower after which it is far from the run it began in.
@@ -69,7 +69,7 @@ def compare(trace: Trace) -> tuple[int, list[int]]:
     return agreed, jumps
 
 
-def shown_to_jump(trace: Trace, number: int) -> bool:
+def shown_to_jump(trace: TracedPath, number: int) -> bool:
     """Whether the follower leaves the run in one step, or lives on after its death."""
     run, path, arm = trace.runs[number], trace.path, trace.arm
     assert run.free is not None

@@ -5,14 +5,14 @@ from dataclasses import replace
 from cuspaudit.toolpath.joint_pose import pose_of_joints
 from cuspaudit.toolpath.recorded import Recorded, recorded_motion
 from cuspaudit.toolpath.trace import trace_path
-from cuspaudit.toolpath.traced_path import Trace
+from cuspaudit.toolpath.traced_path import TracedPath
 from cuspaudit.toolpath.waypoints import ToolPath
 from tests.toolpath.traced_arms import exact, fact, mirror, places
 
 JOINTS = [("0.1", "0.4", "0.7"), ("0.2", "0.5", "0.6"), ("0.3", "0.5", "0.5")]
 
 
-def traced(rows: list[tuple[str, str, str]]) -> Trace:
+def traced(rows: list[tuple[str, str, str]]) -> TracedPath:
     """The trace of the tool path that joint vectors make."""
     poses = [pose_of_joints(mirror(), [exact(x) for x in row]) for row in rows]
     positions = tuple(replace(pose, quaternion=None) for pose in poses)

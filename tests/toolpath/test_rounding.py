@@ -22,12 +22,12 @@ from cuspaudit.toolpath.following.starts import solve_pose
 from cuspaudit.toolpath.following.strand import settled
 from cuspaudit.toolpath.following.strands import follow_path, known_postures
 from cuspaudit.toolpath.following.tube import Tube, knot_at, tube_round
-from cuspaudit.toolpath.following.tube_axis import Axis, axis_at
+from cuspaudit.toolpath.following.tube_axis import TubeAxis, axis_at
 from cuspaudit.toolpath.following.tube_bounds import TubeBounds
 from cuspaudit.toolpath.joint_pose import pose_of_joints
 from cuspaudit.toolpath.trace import trace_path
 from cuspaudit.toolpath.traced_arm import TracedArm, traced_arm
-from cuspaudit.toolpath.traced_path import Trace
+from cuspaudit.toolpath.traced_path import TracedPath
 from cuspaudit.toolpath.waypoints import Pose, ToolPath
 from tests.toolpath.traced_arms import (
     arm_of_axes,
@@ -150,7 +150,7 @@ def worst(bounds: TubeBounds, places: list[float]) -> float:
     return max(found)
 
 
-def axis_of(system: LegSystem, y: Array) -> Axis:
+def axis_of(system: LegSystem, y: Array) -> TubeAxis:
     """An axis a little further along the curve."""
     start = axis_at(system, y, np.eye(len(y))[-1])
     assert start is not None
@@ -249,7 +249,7 @@ def inside(system: LegSystem, one: Tube, at: Array) -> bool:
         return bool(all(sides) and one.span[0] < t and t < one.span[1])
 
 
-def kept(arm: TracedArm, path: ToolPath, trace: Trace) -> int:
+def kept(arm: TracedArm, path: ToolPath, trace: TracedPath) -> int:
     """How many points of proved runs were found in their tubes; all of them must be."""
     with ctx.workprec(FINE):
         legs, count = [arm.system(a, b) for a, b in pairwise(path.poses)], 0

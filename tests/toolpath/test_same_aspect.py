@@ -11,7 +11,7 @@ from cuspaudit.auditing.search.mixed_joints import search_mixed, way_over_net
 from cuspaudit.robot.chain import Angle
 from cuspaudit.robot.frames import jacobian
 from cuspaudit.toolpath.asked import joint_vector
-from cuspaudit.toolpath.same_aspect import Connection, same_aspect
+from cuspaudit.toolpath.same_aspect import FoundConnection, same_aspect
 from cuspaudit.toolpath.traced_arm import TracedArm, traced_arm
 from tests.toolpath.traced_arms import crx, mirror
 
@@ -19,7 +19,9 @@ FIRST, SECOND = "-2.898307145,-3.034023772,-0.268389431", "-0.837159,-0.502084,2
 OTHER = "0.167985446,-0.247417323,-1.90299532"
 
 
-def ask(arm: TracedArm, first: str, second: str, within: bool = False) -> Connection:
+def ask(
+    arm: TracedArm, first: str, second: str, within: bool = False
+) -> FoundConnection:
     """The answer for two texts."""
     chain = arm.robot_chain
     ends = [joint_vector(text, chain, "--from") for text in (first, second)]

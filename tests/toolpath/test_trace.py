@@ -13,7 +13,7 @@ from cuspaudit.toolpath.laps import laps_of
 from cuspaudit.toolpath.record import exit_code, trace_record
 from cuspaudit.toolpath.trace import trace_path
 from cuspaudit.toolpath.traced_arm import traced_arm
-from cuspaudit.toolpath.traced_path import Run, Trace
+from cuspaudit.toolpath.traced_path import Run, TracedPath
 from cuspaudit.toolpath.waypoints import ToolPath
 from tests.toolpath.traced_arms import FACTS, crx, exact, fact, mirror, places
 
@@ -25,7 +25,7 @@ def reversed_path(path: ToolPath) -> ToolPath:
     return replace(path, poses=path.poses[::-1])
 
 
-def match(trace: Trace, start: list[float]) -> Run:
+def match(trace: TracedPath, start: list[float]) -> Run:
     """The run that begins in a posture, up to whole turns."""
     [found] = [
         run
@@ -88,7 +88,7 @@ def test_the_published_line_of_the_crx() -> None:
     assert_inverse(trace, back)
 
 
-def assert_inverse(there: Trace, back: Trace) -> None:
+def assert_inverse(there: TracedPath, back: TracedPath) -> None:
     """A joint of over a turn gives a run a winding, ended where it leaves."""
     reached = {(run.posture, run.ends_in) for run in there.runs if run.end == "reached"}
     returned = {(run.ends_in, run.posture) for run in back.runs if run.end == "reached"}

@@ -20,7 +20,7 @@ from cuspaudit.algebra.numeric import NumericPolynomial, numeric_values
 from cuspaudit.auditing.crosscheck.pinocchio_model import (
     LockValue,
     PinocchioArm,
-    Placed,
+    PinocchioPosture,
     arm_from_chain,
     arm_from_urdf,
     reach_scale,
@@ -181,7 +181,7 @@ class _Comparison:
         return max(worst, float(errors.max())), allowed
 
     def _determinant_errors(
-        self, points: Array, placed: list[Placed]
+        self, points: Array, placed: list[PinocchioPosture]
     ) -> tuple[Array, float]:
         """Errors of det J relative to its largest value, and what e may add to them.
 
@@ -236,7 +236,7 @@ class _Comparison:
             )
         return len(postures)
 
-    def _placed(self, posture: Sequence[float] | Array) -> Placed:
+    def _placed(self, posture: Sequence[float] | Array) -> PinocchioPosture:
         """Pinocchio's answer, which knows nothing of a virtual joint at the end."""
         return self.arm.at(posture[: len(self.arm.chain.joints)])
 
@@ -249,7 +249,7 @@ class _Comparison:
     def _rotation(self, points: Array) -> Array:
         return numeric_values(self.model.ring, self._map.rotation.components, points)
 
-    def _hadamard(self, placed: Placed) -> float:
+    def _hadamard(self, placed: PinocchioPosture) -> float:
         columns = np.linalg.norm(placed.scaled_jacobian(self.length), axis=0)
         return float(np.maximum(columns, 1.0).prod())
 
@@ -263,11 +263,11 @@ class _Comparison:
             )
 
 
-def _positions(placed: list[Placed]) -> Array:
+def _positions(placed: list[PinocchioPosture]) -> Array:
     return np.array([p.pose[:3, 3] for p in placed])
 
 
-def _rotations(placed: list[Placed]) -> Array:
+def _rotations(placed: list[PinocchioPosture]) -> Array:
     return np.array([p.pose[:3, :3].ravel() for p in placed])
 
 

@@ -34,7 +34,7 @@ from cuspaudit.robot.place import Place, quoted
 __all__ = [
     "LockValue",
     "PinocchioArm",
-    "Placed",
+    "PinocchioPosture",
     "arm_from_chain",
     "arm_from_urdf",
     "is_readable",
@@ -46,7 +46,7 @@ LockValue = Angle | Fraction | str
 
 
 @dataclass(frozen=True)
-class Placed:
+class PinocchioPosture:
     """What Pinocchio says of one posture.
 
     Attributes:
@@ -100,7 +100,7 @@ class PinocchioArm:
             joint = model.joints[model.getJointId(name)]
             _set_joint(self._neutral, joint, value)
 
-    def at(self, posture: Sequence[float] | Array) -> Placed:
+    def at(self, posture: Sequence[float] | Array) -> PinocchioPosture:
         """Tip pose and Jacobian at ``posture``, (n,) joint values in chain order."""
         q = self._neutral.copy()
         for joint, value in zip(self._joints, posture, strict=True):
@@ -115,7 +115,7 @@ class PinocchioArm:
         back = np.array(base.rotation).T
         turning = back @ full[3:]
         rows = _turning_rows(self.chain.task, pose[:3, :3], turning)
-        return Placed(pose, np.vstack([back @ full[:3], rows @ turning]))
+        return PinocchioPosture(pose, np.vstack([back @ full[:3], rows @ turning]))
 
 
 def _turning_rows(task: Task, rotation: Array, turning: Array) -> Array:

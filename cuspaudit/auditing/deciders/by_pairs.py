@@ -12,7 +12,7 @@ from cuspaudit.auditing.evidence import PairMaximum, PairRecord
 from cuspaudit.auditing.search.aspect_routing import AspectRouting, route_aspects
 from cuspaudit.auditing.search.lift import close
 from cuspaudit.auditing.search.pair_maxima import pair_maxima
-from cuspaudit.auditing.witness import Witness, certified
+from cuspaudit.auditing.witness import CertifiedPath, certified
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import RetryableError, UnableError
 from cuspaudit.kinematics.exact_model import ExactModel
@@ -68,7 +68,7 @@ def _sentence(record: PairRecord) -> str:
     )
 
 
-def _proved(model: ExactModel, record: PairRecord) -> Witness | None:
+def _proved(model: ExactModel, record: PairRecord) -> CertifiedPath | None:
     """The certified path of the highest maximum that has one."""
     routing = route_aspects(model, record.seed)
     together = [found for found in record.maxima if found.together]
@@ -81,7 +81,7 @@ def _proved(model: ExactModel, record: PairRecord) -> Witness | None:
 
 def _witness(
     routing: AspectRouting, chain: Chain, maximum: PairMaximum
-) -> Witness | None:
+) -> CertifiedPath | None:
     first, second = (np.array(end) for end in maximum.postures)
     way = routing.widest_path(first, second)
     if way is None:

@@ -13,7 +13,7 @@ from cuspaudit.auditing.search.around_cusp import paths_around
 from cuspaudit.auditing.search.lift import close
 from cuspaudit.auditing.search.mixed_joints import search_mixed
 from cuspaudit.auditing.search.six_joints import search
-from cuspaudit.auditing.witness import Witness, certified
+from cuspaudit.auditing.witness import CertifiedPath, certified
 from cuspaudit.count import Count
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import RetryableError
@@ -36,7 +36,7 @@ class Searched:
         largest: the largest |det J| met, in the chain's unit of length cubed.
     """
 
-    witness: Witness | None
+    witness: CertifiedPath | None
     record: SearchRecord
     refused: str
     largest: float
@@ -104,7 +104,7 @@ def search_witness(
     found = (search_mixed if slides else search)(chain, seed, progress, most)
     # with slides |det J| may have no largest value
     largest = None if slides else found.largest
-    refused, proved = "", list[Witness]()
+    refused, proved = "", list[CertifiedPath]()
     for proposal in found.proposals:
         try:
             witness = certified(chain, close(chain, proposal.path), largest)

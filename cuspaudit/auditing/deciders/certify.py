@@ -17,7 +17,7 @@ from cuspaudit.auditing.search.lift import (
     wrist_middle,
     wrist_spread,
 )
-from cuspaudit.auditing.witness import Array, Witness, certified
+from cuspaudit.auditing.witness import Array, CertifiedPath, certified
 from cuspaudit.cuspidality.surface_path import SurfacePath, propose_paths
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import RetryableError, UnableError
@@ -56,7 +56,7 @@ def by_couple(case: Case, clock: Clock) -> Answer | None:
     )
 
 
-def find_witness(answer: Answer, chain: Chain) -> Witness:
+def find_witness(answer: Answer, chain: Chain) -> CertifiedPath:
     """A certified witness for the numbers of ``chain``.
 
     Args:
@@ -104,7 +104,7 @@ def _lifted(answer: Answer) -> Iterator[tuple[SurfacePath, Array]]:
 
 
 def _clearance(
-    answer: Answer, surface_path: SurfacePath, witness: Witness
+    answer: Answer, surface_path: SurfacePath, witness: CertifiedPath
 ) -> float | None:
     """The proved smallest over the largest |det J|.
 

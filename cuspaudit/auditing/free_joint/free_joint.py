@@ -26,7 +26,7 @@ from cuspaudit.auditing.free_joint.stretch import (
 )
 from cuspaudit.auditing.free_joint.structured import by_structure
 from cuspaudit.auditing.free_joint.witness_search import WitnessSearch
-from cuspaudit.auditing.free_joint.witnessed import Walk
+from cuspaudit.auditing.free_joint.witnessed import LockWalk
 from cuspaudit.auditing.limits.joint_limits import rational_limits
 from cuspaudit.auditing.limits.within_limits import within_limits
 from cuspaudit.auditing.options import Options
@@ -130,7 +130,7 @@ def _stretches(
         parts = joined(by_structure(held, domain))
     limits = _limits(locks) if within else None
     search = WitnessSearch(locks, seed, within)
-    walk = Walk(locks, search.paths, limits, clock.step)
+    walk = LockWalk(locks, search.paths, limits, clock.step)
     for part in parts:
         if part.verdict is not Verdict.UNDECIDED or part.span.degrees <= EXCEPTIONAL:
             yield part

@@ -8,7 +8,7 @@ from cuspaudit.auditing.free_joint.stretch import Stretch
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.kinematics.locked.locked_arm import LockedArm
 from cuspaudit.kinematics.locked.span import Span
-from cuspaudit.kinematics.locked.structures import Structure, holds, structures
+from cuspaudit.kinematics.locked.structures import LockedStructure, holds, structures
 from cuspaudit.runtime.clock import check_time
 
 __all__ = ["by_structure"]
@@ -35,7 +35,7 @@ def by_structure(held: LockedArm, domain: Span) -> tuple[Stretch, ...]:
 
 
 def _cut(
-    held: LockedArm, found: tuple[Structure, ...], span: Span
+    held: LockedArm, found: tuple[LockedStructure, ...], span: Span
 ) -> Iterator[Stretch]:
     check_time("structures")
     for structure in found:
@@ -52,7 +52,7 @@ def _cut(
         yield from _cut(held, found, half)
 
 
-def _may_hold(held: LockedArm, structure: Structure, span: Span) -> bool:
+def _may_hold(held: LockedArm, structure: LockedStructure, span: Span) -> bool:
     """Whether an end of the span, at least, has the structure."""
     ends = (Span(value, value) for value in (span.lower, span.upper))
     return any(holds(held, structure, end) for end in ends)

@@ -23,7 +23,7 @@ from cuspaudit.robot.chain import Angle
 from cuspaudit.robot.frames import angle_value
 from cuspaudit.runtime.clock import check_time
 
-__all__ = ["Finder", "Walk"]
+__all__ = ["Finder", "LockWalk"]
 
 Array = NDArray[np.float64]
 
@@ -40,7 +40,7 @@ _BARREN = 4.0
 
 
 @dataclass(eq=False)
-class Walk:
+class LockWalk:
     """A walk over the open spans.
 
     Attributes:

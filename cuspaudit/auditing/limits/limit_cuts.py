@@ -20,7 +20,7 @@ from cuspaudit.auditing.limits.joint_limits import has_limits
 from cuspaudit.auditing.limits.limits_by_three import WRISTS
 from cuspaudit.auditing.limits.pairs_apart import pairs_apart
 from cuspaudit.auditing.limits.three_in_box import decide_three
-from cuspaudit.auditing.record import Audit
+from cuspaudit.auditing.record import FinishedAudit
 from cuspaudit.auditing.search.cusps import moving_joints
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import RetryableError, UnableError
@@ -73,7 +73,9 @@ def limit_cuts(model: ExactModel, seed: int, clock: Clock) -> list[Cut]:
     return list(_cuts(model, seed, clock))
 
 
-def cuts_of(audit: Audit, timeout: float | None = None) -> list[dict[str, Any]] | None:
+def cuts_of(
+    audit: FinishedAudit, timeout: float | None = None
+) -> list[dict[str, Any]] | None:
     """The cuts of an arm that is cuspidal within its limits, as JSON; else None."""
     if audit.within is None or audit.within.verdict is not Verdict.CUSPIDAL:
         return None

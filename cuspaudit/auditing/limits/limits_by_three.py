@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from cuspaudit.auditing.answer import Answer
-from cuspaudit.auditing.limits.limits_result import WithinLimits
+from cuspaudit.auditing.limits.limits_result import LimitsAnswer
 from cuspaudit.auditing.limits.limits_witness import first_proved, paths_of_cells, shown
 from cuspaudit.auditing.limits.three_in_box import ThreeInBox, decide_three
 from cuspaudit.cuspidality.verdict import Verdict
@@ -24,8 +24,8 @@ _EXACT = ("FLINT resultants", "FLINT root isolation", "ball arithmetic")
 
 
 def by_three(
-    nothing: WithinLimits, found: Answer, literal: Chain, clock: Clock
-) -> WithinLimits | None:
+    nothing: LimitsAnswer, found: Answer, literal: Chain, clock: Clock
+) -> LimitsAnswer | None:
     """What the exact routes for three joints say, of the arm or of its first three."""
     box, reduction = box_of(found, clock), found.reduction
     if box is None:
@@ -65,8 +65,8 @@ def box_of(found: Answer, clock: Clock) -> ThreeInBox | None:
 
 
 def with_path(
-    result: WithinLimits, found: Answer, box: ThreeInBox, literal: Chain
-) -> WithinLimits:
+    result: LimitsAnswer, found: Answer, box: ThreeInBox, literal: Chain
+) -> LimitsAnswer:
     """With a path through the cells of the box, of a CUSPIDAL."""
     if box.verdict is not Verdict.CUSPIDAL:
         return result
@@ -75,8 +75,8 @@ def with_path(
 
 
 def _of_wrist(
-    nothing: WithinLimits, found: Answer, box: ThreeInBox, literal: Chain
-) -> WithinLimits:
+    nothing: LimitsAnswer, found: Answer, box: ThreeInBox, literal: Chain
+) -> LimitsAnswer:
     """CUSPIDAL by a path of the three joints that the wrist follows in its limits."""
     assert found.reduction is not None
     chains = (literal, found.model.chain)
@@ -98,7 +98,7 @@ def _of_wrist(
     return shown(result, witness)
 
 
-def _of_three(nothing: WithinLimits, box: ThreeInBox) -> WithinLimits:
+def _of_three(nothing: LimitsAnswer, box: ThreeInBox) -> LimitsAnswer:
     decided = box.verdict is not Verdict.UNDECIDED
     return replace(
         nothing,

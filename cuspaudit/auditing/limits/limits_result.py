@@ -6,11 +6,11 @@ from dataclasses import dataclass
 from typing import Any
 
 from cuspaudit.auditing.cusp_witness import CuspWitness
-from cuspaudit.auditing.witness import Witness
+from cuspaudit.auditing.witness import CertifiedPath
 from cuspaudit.count import Count
 from cuspaudit.cuspidality.verdict import Verdict
 
-__all__ = ["FreeWitness", "WithinLimits"]
+__all__ = ["FreeWitness", "LimitsAnswer"]
 
 
 @dataclass(frozen=True)
@@ -27,7 +27,7 @@ class FreeWitness:
 
 
 @dataclass(frozen=True, eq=False)
-class WithinLimits:
+class LimitsAnswer:
     """The verdict within joint limits, and its grounds.
 
     Attributes:
@@ -50,7 +50,7 @@ class WithinLimits:
     rests_on: tuple[str, ...]
     joints: tuple[tuple[str, float | None, float | None], ...]
     aspects: Count | None = None
-    witness: Witness | None = None
+    witness: CertifiedPath | None = None
     cusp: CuspWitness | None = None
     slack: float | None = None
     free: FreeWitness | None = None

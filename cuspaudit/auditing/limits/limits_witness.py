@@ -17,12 +17,12 @@ from numpy.typing import NDArray
 from cuspaudit.auditing.answer import Answer
 from cuspaudit.auditing.cusp_witness import CuspWitness
 from cuspaudit.auditing.limits.joint_limits import interval_of, rational_limits
-from cuspaudit.auditing.limits.limits_result import WithinLimits
+from cuspaudit.auditing.limits.limits_result import LimitsAnswer
 from cuspaudit.auditing.limits.three_in_box import ThreeInBox
 from cuspaudit.auditing.search.around_cusp import paths_around, slack_of
 from cuspaudit.auditing.search.lift import close, lift_position
 from cuspaudit.auditing.search.lift_inside import centred, lift_wrist_inside
-from cuspaudit.auditing.witness import Witness, certified
+from cuspaudit.auditing.witness import CertifiedPath, certified
 from cuspaudit.cuspidality.box_path import box_paths
 from cuspaudit.errors import RetryableError
 from cuspaudit.kinematics.exact_model import ExactModel
@@ -44,7 +44,7 @@ _AROUND = 4
 _THROUGH = 8
 
 
-def limited(path: Array, chain: Chain) -> Witness | None:
+def limited(path: Array, chain: Chain) -> CertifiedPath | None:
     """The path as a witness within the limits of a chain, if it is proved."""
     try:
         closed = close(chain, path)
@@ -54,7 +54,9 @@ def limited(path: Array, chain: Chain) -> Witness | None:
     return witness if witness.verification.accepted else None
 
 
-def first_proved(paths: Iterable[Array], chains: Sequence[Chain]) -> Witness | None:
+def first_proved(
+    paths: Iterable[Array], chains: Sequence[Chain]
+) -> CertifiedPath | None:
     """The first of the paths that is proved for the last chain.
 
     Args:
@@ -73,12 +75,12 @@ def first_proved(paths: Iterable[Array], chains: Sequence[Chain]) -> Witness | N
     return None
 
 
-def slack(witness: Witness) -> float:
+def slack(witness: CertifiedPath) -> float:
     """How near the path of a witness comes to a limit."""
     return slack_of(witness.path, _intervals(witness.chain))
 
 
-def shown(result: WithinLimits, witness: Witness | None) -> WithinLimits:
+def shown(result: LimitsAnswer, witness: CertifiedPath | None) -> LimitsAnswer:
     """The same with a path to look at, if there is one."""
     if witness is None:
         return result

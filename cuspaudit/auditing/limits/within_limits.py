@@ -34,7 +34,7 @@ from cuspaudit.auditing.answer import Answer
 from cuspaudit.auditing.cusp_witness import CuspWitness, find_cusps, same_cusp
 from cuspaudit.auditing.limits.joint_limits import has_limits, interval_of
 from cuspaudit.auditing.limits.limits_by_three import box_of, by_three, with_path
-from cuspaudit.auditing.limits.limits_result import FreeWitness, WithinLimits
+from cuspaudit.auditing.limits.limits_result import FreeWitness, LimitsAnswer
 from cuspaudit.auditing.limits.limits_witness import (
     first_proved,
     limited,
@@ -44,7 +44,7 @@ from cuspaudit.auditing.limits.limits_witness import (
 from cuspaudit.auditing.limits.pairs_apart import pairs_apart
 from cuspaudit.auditing.limits.three_in_box import aspects_in_box
 from cuspaudit.auditing.search.box_search import paths_inside
-from cuspaudit.auditing.witness import Witness
+from cuspaudit.auditing.witness import CertifiedPath
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import RetryableError, UnableError
 from cuspaudit.robot.chain import Chain
@@ -58,7 +58,7 @@ _TRIES = 12
 
 def within_limits(
     found: Answer, literal: Chain, seed: int, clock: Clock
-) -> WithinLimits | None:
+) -> LimitsAnswer | None:
     """The verdict within the limits of an arm, None where it has none.
 
     Args:
@@ -75,7 +75,7 @@ def within_limits(
         for joint in chain.joints
         if not joint.is_virtual
     )
-    nothing = WithinLimits(
+    nothing = LimitsAnswer(
         Verdict.UNDECIDED, "", "none", (), joints, free=_free(found.witness)
     )
     nothing = replace(nothing, aspects=aspects_in_box(found.model))
@@ -103,8 +103,8 @@ def within_limits(
 
 
 def _of_six(
-    open_: WithinLimits, found: Answer, literal: Chain, seed: int
-) -> WithinLimits:
+    open_: LimitsAnswer, found: Answer, literal: Chain, seed: int
+) -> LimitsAnswer:
     """Six joints: that no pairs of postures are in one aspect, or a path searched."""
     if found.model.chain.task != "pose":
         return open_
@@ -133,7 +133,7 @@ def _of_six(
     )
 
 
-def _searched(found: Answer, literal: Chain, seed: int) -> Witness | None:
+def _searched(found: Answer, literal: Chain, seed: int) -> CertifiedPath | None:
     """A path that a search inside the limits of six joints meets."""
     chain = found.model.chain
     limits = [interval_of(joint) for joint in chain.joints]
@@ -142,8 +142,8 @@ def _searched(found: Answer, literal: Chain, seed: int) -> Witness | None:
 
 
 def _to_look_at(
-    result: WithinLimits, found: Answer, literal: Chain, seed: int, clock: Clock
-) -> WithinLimits:
+    result: LimitsAnswer, found: Answer, literal: Chain, seed: int, clock: Clock
+) -> LimitsAnswer:
     """A CUSPIDAL by a cusp alone, with a path to look at where one is met."""
     if result.kind != "cusp":
         return result
@@ -159,8 +159,8 @@ def _to_look_at(
 
 
 def _cuspidal(
-    nothing: WithinLimits, found: Answer, literal: Chain, seed: int
-) -> WithinLimits | None:
+    nothing: LimitsAnswer, found: Answer, literal: Chain, seed: int
+) -> LimitsAnswer | None:
     """CUSPIDAL by the free witness or by a cusp, with a path where one is proved."""
     chain = found.model.chain
     if found.witness is not None and nothing.free is not None and nothing.free.inside:
@@ -188,8 +188,8 @@ def _cusps(found: Answer, seed: int) -> Iterator[CuspWitness]:
 
 
 def _by_path(
-    nothing: WithinLimits, free: Witness, witness: Witness, literal: Chain
-) -> WithinLimits:
+    nothing: LimitsAnswer, free: CertifiedPath, witness: CertifiedPath, literal: Chain
+) -> LimitsAnswer:
     """By a path of the model, shown for the numbers of the file where it is one."""
     witness = limited(free.path, literal) or witness
     result = replace(
@@ -202,7 +202,7 @@ def _by_path(
     return shown(result, replace(witness, clearance=free.clearance))
 
 
-def _by_cusp(nothing: WithinLimits, cusp: CuspWitness) -> WithinLimits:
+def _by_cusp(nothing: LimitsAnswer, cusp: CuspWitness) -> LimitsAnswer:
     at = ", ".join(f"{value:.4g}" for value in cusp.posture)
     return replace(
         nothing,
@@ -214,7 +214,7 @@ def _by_cusp(nothing: WithinLimits, cusp: CuspWitness) -> WithinLimits:
     )
 
 
-def _free(witness: Witness | None) -> FreeWitness | None:
+def _free(witness: CertifiedPath | None) -> FreeWitness | None:
     """Where the witness without limits leaves them."""
     if witness is None:
         return None

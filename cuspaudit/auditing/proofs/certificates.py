@@ -7,19 +7,21 @@ from typing import TYPE_CHECKING
 
 from cuspaudit.auditing.proofs.pairs_certificate import pairs_certificate
 from cuspaudit.auditing.proofs.structure_certificate import structure_certificate
-from cuspaudit.auditing.record import Audit
+from cuspaudit.auditing.record import FinishedAudit
 from cuspaudit.certificate import Certificate, text_from_certificate
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.robot.chain import Chain
 from cuspaudit.robot.virtual_joint import with_virtual_joint
 
 if TYPE_CHECKING:
-    from cuspaudit.auditing.limits.limits_result import WithinLimits
+    from cuspaudit.auditing.limits.limits_result import LimitsAnswer
 
 __all__ = ["certificate_of_audit", "certificate_text", "is_of_many_arms"]
 
 
-def certificate_of_audit(audit: Audit, within: bool = False) -> Certificate | None:
+def certificate_of_audit(
+    audit: FinishedAudit, within: bool = False
+) -> Certificate | None:
     """The certificate of the verdict of ``audit``, or None where it has none.
 
     With a tolerance the one for all its arms, or for those of the largest box that is
@@ -60,18 +62,18 @@ def certificate_of_audit(audit: Audit, within: bool = False) -> Certificate | No
     return None
 
 
-def is_of_many_arms(audit: Audit, within: bool = False) -> bool:
+def is_of_many_arms(audit: FinishedAudit, within: bool = False) -> bool:
     """Whether the certificate of ``audit`` is one for every arm of a box."""
     return not within and audit.over is not None and audit.over.certificate is not None
 
 
-def _within_limits(within: WithinLimits) -> Certificate | None:
+def _within_limits(within: LimitsAnswer) -> Certificate | None:
     if within.witness is not None:
         return within.witness.certificate
     return within.cusp.certificate if within.cusp is not None else None
 
 
-def certificate_text(audit: Audit, within: bool = False) -> str | None:
+def certificate_text(audit: FinishedAudit, within: bool = False) -> str | None:
     """The text of `certificate_of_audit`, as a file holds it."""
     certificate = certificate_of_audit(audit, within)
     return None if certificate is None else text_from_certificate(certificate)

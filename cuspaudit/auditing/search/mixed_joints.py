@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 from cuspaudit.algebra.angles import FULL_TURN, shortest_turn
 from cuspaudit.auditing.evidence import SearchRecord
 from cuspaudit.auditing.search.cusps import TaskMap
-from cuspaudit.auditing.search.six_joints import Proposal, Search
+from cuspaudit.auditing.search.six_joints import PathSearch, Proposal
 from cuspaudit.errors import UnableError
 from cuspaudit.kinematics.postures.moving import gap
 from cuspaudit.robot.chain import Chain
@@ -58,7 +58,7 @@ def search_mixed(
     seed: int = 0,
     progress: Callable[[str], None] = lambda step: None,
     most: int = 96,
-) -> Search:
+) -> PathSearch:
     """Look for nonsingular paths between two postures of one pose.
 
     Args:
@@ -251,7 +251,7 @@ class _Looking:
             found.append(np.array(met))
         return found
 
-    def result(self) -> Search:
+    def result(self) -> PathSearch:
         """The record, and the clearest proposals."""
         self.ways.sort(key=lambda way: -way.clearance)
         best = self.ways[0].clearance if self.ways else 0.0
@@ -271,7 +271,7 @@ class _Looking:
             Proposal(way.path, way.clearance * self.largest * unit, way.clearance)
             for way in self.ways[:_KEPT]
         )
-        return Search(record, proposals, self.largest * unit)
+        return PathSearch(record, proposals, self.largest * unit)
 
 
 class _Net:

@@ -26,7 +26,7 @@ from cuspaudit.geometry.torus.critical import FAST, climb, critical_sheets
 from cuspaudit.kinematics.postures.numeric import PostureSolver, is_even
 from cuspaudit.robot.chain import Chain
 
-__all__ = ["Proposal", "Search", "search"]
+__all__ = ["PathSearch", "Proposal", "search"]
 
 Array = NDArray[np.float64]
 Index = NDArray[np.int64]
@@ -57,7 +57,7 @@ class Proposal:
 
 
 @dataclass(frozen=True, eq=False)
-class Search:
+class PathSearch:
     """What came out of a search.
 
     Attributes:
@@ -77,7 +77,7 @@ def search(
     progress: Callable[[str], None] = lambda step: None,
     most: int = _MOST,
     kept: int = _KEPT,
-) -> Search:
+) -> PathSearch:
     """Look for nonsingular paths between two postures of one pose.
 
     Args:
@@ -202,7 +202,7 @@ class _Looking:
             self.joined.add((tuple(first), tuple(second)))
             self.couples.append(_Couple(first, second, sign, height, way))
 
-    def result(self, kept: int) -> Search:
+    def result(self, kept: int) -> PathSearch:
         """The record, and the widest proposals."""
         self.couples.sort(key=lambda couple: -couple.height)
         scale = self.solver.scale**3
@@ -217,7 +217,7 @@ class _Looking:
             stopped=self.stopped,
         )
         proposals = tuple(map(self._proposal, self.couples[:kept]))
-        return Search(record, proposals, self.largest * scale)
+        return PathSearch(record, proposals, self.largest * scale)
 
     def _proposal(self, couple: _Couple) -> Proposal:
         on_torus = tidy(self.h, couple.sign, couple.on_torus)

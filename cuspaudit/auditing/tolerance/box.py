@@ -16,7 +16,15 @@ from cuspaudit.robot.chain import Chain
 from cuspaudit.robot.tolerance import AxisTolerance, LooseNumber
 from cuspaudit.runtime.clock import check_time
 
-__all__ = ["Box", "LargestBox", "PlacedNumber", "box_of", "largest_box", "over", "part"]
+__all__ = [
+    "LargestBox",
+    "PlacedNumber",
+    "ToleranceBox",
+    "box_of",
+    "largest_box",
+    "over",
+    "part",
+]
 
 _LARGEST = 1e6
 _SMALLEST = 1e-9
@@ -39,7 +47,7 @@ class PlacedNumber:
 
 
 @dataclass(frozen=True, slots=True)
-class Box:
+class ToleranceBox:
     """What may be off: all axes, and single numbers.
 
     Attributes:
@@ -60,7 +68,7 @@ class Box:
         """By how much all axes may be tilted."""
         return self.axes.angles if self.axes else Fraction(0)
 
-    def times(self, factor: float) -> Box:
+    def times(self, factor: float) -> ToleranceBox:
         """So many times the box, in three digits, rounded down."""
         axes = self.axes and AxisTolerance(
             part(self.lengths, factor), part(self.angles, factor)
@@ -74,12 +82,12 @@ class Box:
             )
             for placed in self.numbers
         )
-        return Box(axes, numbers)
+        return ToleranceBox(axes, numbers)
 
 
 def box_of(
     chain: Chain, axes: AxisTolerance | None, loose: tuple[LooseNumber, ...]
-) -> Box:
+) -> ToleranceBox:
     """The box of a chain whose motions name the numbers that they are made of."""
     links = [joint.before for joint in chain.joints] + [chain.tool]
     places = {
@@ -88,7 +96,7 @@ def box_of(
         for after, motion in enumerate(motions)
     }
     numbers = (PlacedNumber(*places[number.where], number) for number in loose)
-    return Box(axes, tuple(numbers))
+    return ToleranceBox(axes, tuple(numbers))
 
 
 def part(number: Fraction, factor: float) -> Fraction:
@@ -113,7 +121,7 @@ class LargestBox:
     fails: float
 
 
-def over(certificate: Certificate, box: Box) -> Certificate:
+def over(certificate: Certificate, box: ToleranceBox) -> Certificate:
     """The claim of ``certificate``, one without play, for every arm of the box."""
     links = [list(joint.before) for joint in certificate.joints]
     links.append(list(certificate.tool))
@@ -131,7 +139,7 @@ def over(certificate: Certificate, box: Box) -> Certificate:
 
 
 def largest_box(
-    certificate: Certificate, box: Box, start: float, ratio: float = 1.05
+    certificate: Certificate, box: ToleranceBox, start: float, ratio: float = 1.05
 ) -> LargestBox:
     """How many times the box the claim of ``certificate`` is proved for.
 

@@ -17,8 +17,8 @@ from numpy.typing import NDArray
 from cuspaudit.auditing.cusp_witness import find_cusps
 from cuspaudit.auditing.deciders.by_search import search_witness
 from cuspaudit.auditing.search.around_cusp import paths_around
-from cuspaudit.auditing.tolerance.box import Box
-from cuspaudit.auditing.witness import Witness, certified
+from cuspaudit.auditing.tolerance.box import ToleranceBox
+from cuspaudit.auditing.witness import CertifiedPath, certified
 from cuspaudit.errors import UnableError
 from cuspaudit.robot.chain import Angle, Chain, Motion, Rotation, Translation
 from cuspaudit.robot.frames import jacobian
@@ -55,11 +55,11 @@ class NearbyArms:
 
 
 def nearby_arms(
-    chain: Chain, box: Box, seed: int, clock: Clock, count: int = _ARMS
+    chain: Chain, box: ToleranceBox, seed: int, clock: Clock, count: int = _ARMS
 ) -> NearbyArms:
     """Look at ``count`` arms at the edge of the box, or at fewer when time is up."""
     rng = np.random.default_rng(seed)
-    seen, met = 0, list[Witness]()
+    seen, met = 0, list[CertifiedPath]()
     for number in range(count):
         try:
             clock.step(f"tolerance: arm {number + 1} of {count}")
@@ -74,7 +74,7 @@ def nearby_arms(
     return NearbyArms(seen, len(met), max(known, default=None), seed)
 
 
-def built_arm(chain: Chain, box: Box, rng: np.random.Generator) -> Chain:
+def built_arm(chain: Chain, box: ToleranceBox, rng: np.random.Generator) -> Chain:
     """An arm at the edge of the box, exactly: each loose number at one of its ends."""
     links = [list(joint.before) for joint in chain.joints] + [list(chain.tool)]
     for placed in sorted(box.numbers, key=lambda each: -each.after):
@@ -98,7 +98,7 @@ def _end(number: LooseNumber, rng: np.random.Generator) -> Motion:
     return Translation((x * way, y * way, z * way))
 
 
-def _off(box: Box, rng: np.random.Generator) -> tuple[Motion, ...]:
+def _off(box: ToleranceBox, rng: np.random.Generator) -> tuple[Motion, ...]:
     """A play of full length and full angle."""
     v, w = (
         tuple(Fraction(round(x, 9)) for x in (row / np.linalg.norm(row)).tolist())
@@ -116,7 +116,7 @@ def _short(vector: tuple[Fraction, ...]) -> tuple[Fraction, Fraction, Fraction]:
     return x, y, z
 
 
-def _widest(chain: Chain, seed: int, clock: Clock) -> Witness | None:
+def _widest(chain: Chain, seed: int, clock: Clock) -> CertifiedPath | None:
     """The widest path that is met and proved; None without one."""
     if chain.task == "pose":
         return search_witness(chain, seed, clock.step, _POSES).witness

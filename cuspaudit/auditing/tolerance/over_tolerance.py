@@ -22,11 +22,11 @@ from typing import Any
 from cuspaudit.auditing.answer import Answer
 from cuspaudit.auditing.proofs.pairs_certificate import pairs_certificate
 from cuspaudit.auditing.proofs.structure_certificate import structure_certificate
-from cuspaudit.auditing.tolerance.box import Box, LargestBox, largest_box, over
+from cuspaudit.auditing.tolerance.box import LargestBox, ToleranceBox, largest_box, over
 from cuspaudit.auditing.tolerance.nearby_arms import NearbyArms, nearby_arms
 from cuspaudit.auditing.tolerance.sensitive_axis import SensitiveAxis, sensitive_axis
 from cuspaudit.auditing.tolerance.witnesses import paths_with_room
-from cuspaudit.auditing.witness import Witness
+from cuspaudit.auditing.witness import CertifiedPath
 from cuspaudit.certificate import Certificate, PathCertificate, verify
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import UnableError
@@ -57,7 +57,7 @@ class OverTolerance:
         level: whether ``proved`` is about boxes without tilts.
     """
 
-    box: Box
+    box: ToleranceBox
     verdict: Verdict
     why: str
     proved: LargestBox | None = None
@@ -100,10 +100,10 @@ class OverTolerance:
 
 
 def over_tolerance(
-    box: Box,
+    box: ToleranceBox,
     found: Answer,
     literal: Chain,
-    witness: Witness | None,
+    witness: CertifiedPath | None,
     seed: int,
     clock: Clock,
 ) -> OverTolerance:
@@ -140,7 +140,7 @@ def largest_tolerance(found: Answer, chain: Chain, seed: int) -> float | None:
     Returns:
         A lower bound by one certificate; None where there is no such proof.
     """
-    unit = Box(AxisTolerance(Fraction(1, 1000), Fraction(1, 1000)))
+    unit = ToleranceBox(AxisTolerance(Fraction(1, 1000), Fraction(1, 1000)))
     literal, clock = with_virtual_joint(chain), Clock()
     claims: Sequence[tuple[float, Certificate]] = []
     if found.verdict is Verdict.CUSPIDAL:
@@ -153,7 +153,11 @@ def largest_tolerance(found: Answer, chain: Chain, seed: int) -> float | None:
 
 
 def _cuspidal(
-    box: Box, literal: Chain, witness: Witness | None, seed: int, clock: Clock
+    box: ToleranceBox,
+    literal: Chain,
+    witness: CertifiedPath | None,
+    seed: int,
+    clock: Clock,
 ) -> OverTolerance:
     try:
         paths = paths_with_room(literal, witness, box, seed, clock.step)
@@ -175,7 +179,7 @@ def _cuspidal(
 
 
 def _proved(
-    box: Box,
+    box: ToleranceBox,
     verdict: Verdict,
     claims: Sequence[tuple[float, Certificate]],
     clock: Clock,
@@ -210,12 +214,12 @@ def _proved(
     return OverTolerance(box, Verdict.UNDECIDED, why, best, claim), chosen
 
 
-def _by_pairs(box: Box, pairs: Certificate, clock: Clock) -> OverTolerance:
+def _by_pairs(box: ToleranceBox, pairs: Certificate, clock: Clock) -> OverTolerance:
     """Noncuspidal by all pairs; where that needs square axes, for lengths alone."""
     whole, _ = _proved(box, Verdict.NONCUSPIDAL, [(1.0, pairs)], clock)
     if whole.proved is not None or not box.lengths or not box.angles:
         return whole
-    level = Box(AxisTolerance(box.lengths, Fraction(0)), box.numbers)
+    level = ToleranceBox(AxisTolerance(box.lengths, Fraction(0)), box.numbers)
     lengths, _ = _proved(level, Verdict.NONCUSPIDAL, [(1.0, pairs)], clock)
     if lengths.proved is None:
         return whole
@@ -227,7 +231,7 @@ def _by_pairs(box: Box, pairs: Certificate, clock: Clock) -> OverTolerance:
 
 
 def _sampled(
-    box: Box, found: Answer, literal: Chain, seed: int, clock: Clock
+    box: ToleranceBox, found: Answer, literal: Chain, seed: int, clock: Clock
 ) -> OverTolerance:
     """Arms of the box, where the verdict rests on exact relations."""
     if literal.task not in ("position", "pose"):
@@ -259,5 +263,5 @@ def _relations(found: Answer, literal: Chain) -> str:
     return ", ".join(map(str, certificate.relations)) + " exactly"
 
 
-def _numbers(box: Box) -> dict[str, float]:
+def _numbers(box: ToleranceBox) -> dict[str, float]:
     return {"lengths": float(box.lengths), "angles": float(box.angles)}

@@ -13,7 +13,13 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any, Literal
 
-from cuspaudit.auditing.tolerance.box import Box, PlacedNumber, largest_box, over, part
+from cuspaudit.auditing.tolerance.box import (
+    PlacedNumber,
+    ToleranceBox,
+    largest_box,
+    over,
+    part,
+)
 from cuspaudit.certificate import PathCertificate
 from cuspaudit.certificate.loose.play_estimate import estimated_room
 from cuspaudit.robot.chain import X_AXIS, Y_AXIS, Z_AXIS, Vector
@@ -53,7 +59,9 @@ class SensitiveAxis:
         }
 
 
-def sensitive_axis(certificate: PathCertificate, box: Box) -> SensitiveAxis | None:
+def sensitive_axis(
+    certificate: PathCertificate, box: ToleranceBox
+) -> SensitiveAxis | None:
     """The motion that the path stands least of; None where none is proved.
 
     Args:
@@ -78,10 +86,10 @@ def sensitive_axis(certificate: PathCertificate, box: Box) -> SensitiveAxis | No
     return SensitiveAxis(number.where, number.kind, name, largest)
 
 
-def _singles(certificate: PathCertificate, box: Box) -> Iterator[Box]:
+def _singles(certificate: PathCertificate, box: ToleranceBox) -> Iterator[ToleranceBox]:
     """Boxes of one loose number each."""
     for placed in box.numbers:
-        yield Box(None, (placed,))
+        yield ToleranceBox(None, (placed,))
     for link, joint in enumerate(certificate.joints[1:], 1):
         for axis in _AXES.values():
             numbers = []
@@ -92,7 +100,9 @@ def _singles(certificate: PathCertificate, box: Box) -> Iterator[Box]:
                 turn = LooseNumber(f"axis {joint.name}", "turn", axis, box.angles)
                 numbers.append(turn)
             for number in numbers:
-                yield Box(None, (PlacedNumber(link, len(joint.before) - 1, number),))
+                yield ToleranceBox(
+                    None, (PlacedNumber(link, len(joint.before) - 1, number),)
+                )
 
 
 def _is_along(u: Vector, v: Vector) -> bool:

@@ -16,8 +16,8 @@ from cuspaudit.auditing.cusp_witness import CuspWitness, find_cusps
 from cuspaudit.auditing.search.around_cusp import paths_around
 from cuspaudit.auditing.search.lift import close
 from cuspaudit.auditing.search.six_joints import search
-from cuspaudit.auditing.tolerance.box import Box, over
-from cuspaudit.auditing.witness import Witness, certificate_of
+from cuspaudit.auditing.tolerance.box import ToleranceBox, over
+from cuspaudit.auditing.witness import CertifiedPath, certificate_of
 from cuspaudit.certificate import PathCertificate
 from cuspaudit.certificate.loose.play_estimate import estimated_room
 from cuspaudit.errors import RetryableError, UnableError
@@ -38,8 +38,8 @@ _AROUND = 4
 
 def paths_with_room(
     chain: Chain,
-    witness: Witness | None,
-    box: Box,
+    witness: CertifiedPath | None,
+    box: ToleranceBox,
     seed: int,
     progress: Progress = lambda step: None,
 ) -> list[tuple[float, PathCertificate]]:
@@ -73,7 +73,7 @@ def paths_with_room(
 
 
 def _paths(
-    chain: Chain, witness: Witness | None, seed: int, progress: Progress
+    chain: Chain, witness: CertifiedPath | None, seed: int, progress: Progress
 ) -> Iterator[Array]:
     """The path of the audit, those of a search, and some round cusps."""
     if witness is not None:

@@ -30,13 +30,13 @@ from cuspaudit.kinematics.locked.regular_over import is_regular
 from cuspaudit.kinematics.locked.span import Span
 from cuspaudit.kinematics.theorems.triple_and_pair import PLACES
 
-__all__ = ["Structure", "holds", "structures"]
+__all__ = ["LockedStructure", "holds", "structures"]
 
 _BITS = 96
 
 
 @dataclass(frozen=True)
-class Structure:
+class LockedStructure:
     """A theorem whose identities hold at every value of the lock.
 
     Attributes:
@@ -52,7 +52,7 @@ class Structure:
     conditions: tuple[Condition, ...] = ()
 
 
-def structures(held: LockedArm) -> tuple[Structure, ...]:
+def structures(held: LockedArm) -> tuple[LockedStructure, ...]:
     """Every structure whose identities hold, all proved exactly.
 
     Args:
@@ -74,7 +74,7 @@ def structures(held: LockedArm) -> tuple[Structure, ...]:
     return tuple(found)
 
 
-def holds(held: LockedArm, structure: Structure, span: Span) -> bool:
+def holds(held: LockedArm, structure: LockedStructure, span: Span) -> bool:
     """Whether the theorem proves the arm noncuspidal at every value in ``span``.
 
     A shorter span may do where this fails.
@@ -86,24 +86,24 @@ def holds(held: LockedArm, structure: Structure, span: Span) -> bool:
         ) and is_regular(held, span)
 
 
-def _three_joints(held: LockedArm) -> Iterator[Structure]:
+def _three_joints(held: LockedArm) -> Iterator[LockedStructure]:
     if held.arm.chain.kinds != ("revolute",) * 3:
         return
     for first in (1, 2):
         if coplanar(held, first):
             axes = f"axes {first} and {first + 1} meet or are parallel"
-            yield Structure("neighbouring axes", axes, held)
+            yield LockedStructure("neighbouring axes", axes, held)
     tool, one = held.arm.tool.translation, held.arm.ring.constant(1)
     if has_no_offset(held, (tool, one)):
-        yield Structure("no offset", "the three joints have no offset", held)
+        yield LockedStructure("no offset", "the three joints have no offset", held)
 
 
-def _slides(held: LockedArm) -> Iterator[Structure]:
+def _slides(held: LockedArm) -> Iterator[LockedStructure]:
     if held.arm.chain.kinds.count("prismatic") == 3:
-        yield Structure("three slides", "three joints slide and three turn", held)
+        yield LockedStructure("three slides", "three joints slide and three turn", held)
 
 
-def _wrist(held: LockedArm, name: str) -> Iterator[Structure]:
+def _wrist(held: LockedArm, name: str) -> Iterator[LockedStructure]:
     """Axes 4, 5, 6 in one point, and three joints before them that are noncuspidal."""
     if not concurrent(held, 4):
         return
@@ -112,7 +112,7 @@ def _wrist(held: LockedArm, name: str) -> Iterator[Structure]:
     for first in (2, 1):
         if coplanar(held, first):
             axes = f"axes {first} and {first + 1} meet or are parallel"
-            yield Structure(name, f"{point}, and {axes}", held, conditions)
+            yield LockedStructure(name, f"{point}, and {axes}", held, conditions)
     above, below = center(held, 4)
     fourth = held.arm.joints[3]
     lever = fourth.before.turn(tuple(above * x for x in fourth.axis))
@@ -120,17 +120,17 @@ def _wrist(held: LockedArm, name: str) -> Iterator[Structure]:
     place = tuple(a + b for a, b in zip(lever, moved, strict=True))
     if has_no_offset(held, (place, below)):
         why = f"{point}, and joints 1, 2, 3, which move it, have no offset"
-        yield Structure(name, why, held, conditions)
+        yield LockedStructure(name, why, held, conditions)
 
 
-def _ur_pattern(held: LockedArm) -> Iterator[Structure]:
+def _ur_pattern(held: LockedArm) -> Iterator[LockedStructure]:
     level = parallel(held, 2) and parallel(held, 3)
     if level and all(square(held, k) and coplanar(held, k) for k in (1, 4, 5)):
         why = "axes 2, 3, 4 are parallel, axes 1-2, 4-5, 5-6 meet at right angles"
-        yield Structure("UR pattern", why, held, (apart(held, 2), apart(held, 3)))
+        yield LockedStructure("UR pattern", why, held, (apart(held, 2), apart(held, 3)))
 
 
-def _triple_and_pair(held: LockedArm) -> Iterator[Structure]:
+def _triple_and_pair(held: LockedArm) -> Iterator[LockedStructure]:
     for first, other in PLACES:
         if not coplanar(held, other):
             continue
@@ -138,8 +138,8 @@ def _triple_and_pair(held: LockedArm) -> Iterator[Structure]:
         axes = f"axes {first}, {first + 1}, {first + 2}"
         if parallel(held, first) and parallel(held, first + 1):
             why = f"{axes} are parallel, and {pair}"
-            yield Structure("triple and pair", why, held)
+            yield LockedStructure("triple and pair", why, held)
         elif concurrent(held, first):
             conditions = tuple(not_parallel(held, k) for k in (first, first + 1))
             why = f"{axes} meet in one point, and {pair}"
-            yield Structure("triple and pair", why, held, conditions)
+            yield LockedStructure("triple and pair", why, held, conditions)

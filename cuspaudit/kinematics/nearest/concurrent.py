@@ -21,7 +21,7 @@ import numpy as np
 from cuspaudit.kinematics.nearest.links import Link, Vector
 from cuspaudit.kinematics.nearest.meeting import PREFERRED
 
-__all__ = ["Meeting", "concurrent"]
+__all__ = ["CommonPoint", "concurrent"]
 
 _PARALLEL = 1e-6
 _POINTS, _ZOOMS, _BISECTIONS = 4, 12, 20
@@ -30,7 +30,7 @@ Heights = float | Vector
 
 
 @dataclass(frozen=True, eq=False)
-class Meeting:
+class CommonPoint:
     """Two links whose three axes meet in one point, at which their steps are 0.
 
     Attributes:
@@ -54,7 +54,7 @@ class Meeting:
         return max(max(self.lengths) / reach, *self.angles)
 
 
-def concurrent(first: Link, second: Link, reach: float) -> Meeting | None:
+def concurrent(first: Link, second: Link, reach: float) -> CommonPoint | None:
     """The nearest links whose axes meet in one point.
 
     None where neighbours are parallel: no shift lets them meet in one point only.
@@ -154,7 +154,7 @@ def _balanced(left: Callable[[Vector], Vector], reach: float) -> Vector:
 
 def _meeting(
     first: Link, second: Link, m: float, s: float, tilts: tuple[float, float]
-) -> Meeting:
+) -> CommonPoint:
     """The links after both axes are tilted towards the point, and shifted onto it."""
     nothing = np.zeros(3)
     point = s * first.axis - first.step
@@ -164,7 +164,7 @@ def _meeting(
     last = _tilted(second.next, towards, tilts[1])
     after = float(other @ last)
     shifts = (point - m * between, other - after * last)
-    return Meeting(
+    return CommonPoint(
         (float(np.linalg.norm(shifts[0])), float(np.linalg.norm(shifts[1]))),
         tilts,
         first.with_step(nothing, between),

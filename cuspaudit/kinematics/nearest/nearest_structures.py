@@ -21,7 +21,7 @@ from functools import cached_property
 import numpy as np
 
 from cuspaudit.kinematics.exact_model import ExactModel, exact_model
-from cuspaudit.kinematics.nearest.concurrent import Meeting, concurrent
+from cuspaudit.kinematics.nearest.concurrent import CommonPoint, concurrent
 from cuspaudit.kinematics.nearest.exact_arm import exact_arm
 from cuspaudit.kinematics.nearest.links import Link, links_of, reach_of
 from cuspaudit.kinematics.nearest.meeting import (
@@ -31,8 +31,8 @@ from cuspaudit.kinematics.nearest.meeting import (
     square_and_meeting,
 )
 from cuspaudit.kinematics.nearest.patterns import (
+    AxisRelation,
     Pattern,
-    Relation,
     Way,
     patterns_for,
     way_words,
@@ -101,7 +101,7 @@ def nearest_structures(model: ExactModel) -> tuple[NearStructure, ...]:
         moves = _Moves(model.chain)
     if not 0 < moves.reach < _LONGEST:
         return ()
-    held: dict[Relation, bool] = {}
+    held: dict[AxisRelation, bool] = {}
     found = (
         _held(model, pattern, held) or _nearest(model, pattern, moves)
         for pattern in patterns_for(model.chain)
@@ -110,7 +110,7 @@ def nearest_structures(model: ExactModel) -> tuple[NearStructure, ...]:
 
 
 def _held(
-    model: ExactModel, pattern: Pattern, held: dict[Relation, bool]
+    model: ExactModel, pattern: Pattern, held: dict[AxisRelation, bool]
 ) -> NearStructure | None:
     """The arm itself, if it has the structure; relations are tested once."""
     for way in pattern.ways:
@@ -168,15 +168,15 @@ class _Moves:
     def __init__(self, chain: Chain) -> None:
         self.links = links_of(chain)
         self.reach = reach_of(self.links)
-        self._found: dict[Relation, Move | Meeting | None] = {}
+        self._found: dict[AxisRelation, Move | CommonPoint | None] = {}
 
-    def least(self, relation: Relation) -> Move | Meeting | None:
+    def least(self, relation: AxisRelation) -> Move | CommonPoint | None:
         """The least move that makes the relation hold."""
         if relation not in self._found:
             self._found[relation] = self._least(relation)
         return self._found[relation]
 
-    def _least(self, relation: Relation) -> Move | Meeting | None:
+    def _least(self, relation: AxisRelation) -> Move | CommonPoint | None:
         k, reach = relation.first - 1, self.reach
         match relation.kind:
             case "parallel":
@@ -194,7 +194,7 @@ class _Moved:
     """The least moves that meet all relations of a way."""
 
     way: Way
-    moves: tuple[Move | Meeting, ...]
+    moves: tuple[Move | CommonPoint, ...]
     reach: float
 
     @cached_property
@@ -246,7 +246,7 @@ class _Moved:
         return moved
 
 
-def _slide_places(links: list[Link], k: int, move: Meeting) -> None:
+def _slide_places(links: list[Link], k: int, move: CommonPoint) -> None:
     """Let the links around three axes begin and end where these meet."""
     if k > 0:
         step = links[k - 1].step + move.before * links[k - 1].next

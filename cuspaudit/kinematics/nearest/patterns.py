@@ -21,11 +21,11 @@ from cuspaudit.kinematics.theorems.triple_and_pair import PLACES, TRIPLE_AND_PAI
 from cuspaudit.kinematics.theorems.ur_pattern import UR_PATTERN
 from cuspaudit.robot.chain import Chain
 
-__all__ = ["Pattern", "Relation", "Way", "patterns_for", "way_words"]
+__all__ = ["AxisRelation", "Pattern", "Way", "patterns_for", "way_words"]
 
 
 @dataclass(frozen=True)
-class Relation:
+class AxisRelation:
     """How axes from number ``first`` on stand to each other; two, or three that meet.
 
     Attributes:
@@ -47,7 +47,7 @@ class Relation:
         return tuple(range(self.first, self.first + count))
 
 
-Way = tuple[Relation, ...]
+Way = tuple[AxisRelation, ...]
 
 
 @dataclass(frozen=True)
@@ -71,9 +71,9 @@ def patterns_for(chain: Chain) -> tuple[Pattern, ...]:
 def way_words(way: Way) -> str:
     """How the axes stand, those of one kind together.
 
-    >>> way_words((Relation("parallel", 2), Relation("parallel", 3)))
+    >>> way_words((AxisRelation("parallel", 2), AxisRelation("parallel", 3)))
     'axes 2, 3, 4 are parallel'
-    >>> way_words((Relation("meet", 1), Relation("meet", 5)))
+    >>> way_words((AxisRelation("meet", 1), AxisRelation("meet", 5)))
     'axes 1-2, 5-6 meet'
     """
     parts = []
@@ -104,24 +104,24 @@ _TESTS: dict[str, Callable[[ExactModel, int], bool]] = {
 
 def _triple(first: int) -> tuple[Way, ...]:
     """Three axes in a row that are parallel, or meet in one point."""
-    level = (Relation("parallel", first), Relation("parallel", first + 1))
-    return (level, (Relation("meet in one point", first),))
+    level = (AxisRelation("parallel", first), AxisRelation("parallel", first + 1))
+    return (level, (AxisRelation("meet in one point", first),))
 
 
 def _pair(first: int) -> tuple[Way, ...]:
     """Two axes in a row that are parallel, or meet."""
-    return ((Relation("parallel", first),), (Relation("meet", first),))
+    return ((AxisRelation("parallel", first),), (AxisRelation("meet", first),))
 
 
 _PATTERNS = (
-    Pattern(SPHERICAL_WRIST, ((Relation("meet in one point", 4),),)),
-    Pattern(SPHERICAL_SHOULDER, ((Relation("meet in one point", 1),),)),
+    Pattern(SPHERICAL_WRIST, ((AxisRelation("meet in one point", 4),),)),
+    Pattern(SPHERICAL_SHOULDER, ((AxisRelation("meet in one point", 1),),)),
     Pattern(
         UR_PATTERN,
         (
             (
-                *(Relation("parallel", k) for k in (2, 3)),
-                *(Relation("meet at right angles", k) for k in (1, 4, 5)),
+                *(AxisRelation("parallel", k) for k in (2, 3)),
+                *(AxisRelation("meet at right angles", k) for k in (1, 4, 5)),
             ),
         ),
     ),
@@ -134,7 +134,7 @@ _PATTERNS = (
         ),
     ),
     *(
-        Pattern(theorem, ((Relation(kind, first),),))
+        Pattern(theorem, ((AxisRelation(kind, first),),))
         for (first, kind), theorem in NEIGHBOURING_AXES.items()
     ),
 )

@@ -26,9 +26,9 @@ from cuspaudit.robot.lines import Ball, cross, dot, minus
 __all__ = [
     "CAP_ANGLE",
     "CAP_LENGTH",
+    "CommonNormal",
     "Floor",
     "Form",
-    "Meeting",
     "Pair",
     "length_of",
     "simple_fraction",
@@ -71,7 +71,7 @@ class Floor:
 
 
 @dataclass(frozen=True, slots=True)
-class Meeting:
+class CommonNormal:
     """The way from the reference point of one axis to that of the next.
 
     Attributes:
@@ -159,7 +159,7 @@ class Pair:
         first = dot(cross(self.p, self.v), w) / square
         return first, dot(cross(self.p, self.u), w) / square
 
-    def meeting(self, ref: arb) -> Meeting:
+    def meeting(self, ref: arb) -> CommonNormal:
         """The way from the point ``ref`` of the first axis to the second axis."""
         match self.form:
             case "skew":
@@ -169,15 +169,15 @@ class Pair:
             case _:
                 return self._tilted(ref)
 
-    def _skew(self, ref: arb) -> Meeting:
+    def _skew(self, ref: arb) -> CommonNormal:
         w = cross(self.u, self.v)
         size = dot(w, w).sqrt()
         x = scaled(w, 1 / size)
         first, second = self.feet()
         alpha = arb.atan2(size, dot(self.u, self.v))
-        return Meeting(dot(self.p, x), alpha, None, first - ref, second, x, x)
+        return CommonNormal(dot(self.p, x), alpha, None, first - ref, second, x, x)
 
-    def _parallel(self, ref: arb) -> Meeting:
+    def _parallel(self, ref: arb) -> CommonNormal:
         """The distance is taken across both directions, which differ by an error."""
         sense = -1 if self.is_turned else 1
         both = [a.union(b * sense) for a, b in zip(self.u, self.v, strict=True)]
@@ -186,14 +186,16 @@ class Pair:
         across = minus(self.p, scaled(along, h))
         a, after = length_of(across), sense * (ref - h)
         if self.floor.is_zero_length(a, self.moved * self.lever):
-            return Meeting(a, self.tilt, None, None, after, None, None)
+            return CommonNormal(a, self.tilt, None, None, after, None, None)
         x = self._frame_axis()
         if x is not None and simple_fraction(a) is None:
             parts = dot(across, x), dot(across, cross(self.u, x))
             if None not in map(simple_fraction, parts):
-                return Meeting(parts[0], self.tilt, None, None, after, x, x, parts[1])
+                return CommonNormal(
+                    parts[0], self.tilt, None, None, after, x, x, parts[1]
+                )
         x = _middle(across)
-        return Meeting(a, self.tilt, None, None, after, x, x)
+        return CommonNormal(a, self.tilt, None, None, after, x, x)
 
     def _frame_axis(self) -> Ball | None:
         """An axis of the frame across ``u``, if ``u`` is one."""
@@ -203,7 +205,7 @@ class Pair:
                 return parts[0], parts[1], parts[2]
         return None
 
-    def _tilted(self, ref: arb) -> Meeting:
+    def _tilted(self, ref: arb) -> CommonNormal:
         u, v = self.u, self.v
         cosine = dot(u, v)
         after = (ref - dot(self.p, u)) / cosine
@@ -229,7 +231,7 @@ class Pair:
             cb * e + s * sb * f - c * sb * g for e, f, g in zip(x, y, u, strict=True)
         )
         x_after: Ball = (turned[0], turned[1], turned[2])
-        return Meeting(a, alpha, beta, None, after, x, x_after)
+        return CommonNormal(a, alpha, beta, None, after, x, x_after)
 
 
 def simple_fraction(ball: arb) -> Fraction | None:

@@ -22,9 +22,9 @@ import numpy as np
 from flint import arb, ctx
 from numpy.typing import NDArray
 
-from cuspaudit.robot.canonical_arm.invariants import Frame, Invariants, Row
+from cuspaudit.robot.canonical_arm.invariants import AxisRow, CanonicalFrame, Invariants
 from cuspaudit.robot.canonical_arm.links import BITS
-from cuspaudit.robot.canonical_arm.readings import Reader, Reading
+from cuspaudit.robot.canonical_arm.readings import Reader, ReadNumber
 from cuspaudit.robot.chain import (
     X_AXIS,
     Y_AXIS,
@@ -54,7 +54,7 @@ class Taken:
     """
 
     where: str
-    reading: Reading
+    reading: ReadNumber
     relation: str
 
 
@@ -105,7 +105,7 @@ class _Writer:
 
     # ---- the rows
 
-    def _row(self, number: int, row: Row) -> list[Motion]:
+    def _row(self, number: int, row: AxisRow) -> list[Motion]:
         """The motions from axis ``number`` to the next."""
         pair = f"axes {number} and {number + 1}"
         motions: list[Motion] = []
@@ -123,7 +123,7 @@ class _Writer:
                 motions.append(Rotation(Y_AXIS, _angle(beta), f"{pair} tilt"))
         return motions
 
-    def _twist(self, pair: str, row: Row) -> Angle:
+    def _twist(self, pair: str, row: AxisRow) -> Angle:
         if row.form == "parallel":
             angle = Angle(Fraction(int(row.is_turned)))
             reading = replace(
@@ -144,7 +144,7 @@ class _Writer:
         self._note(f"{pair}, twist", reading, f"{pair} {word}" if word else "")
         return angle
 
-    def _across(self, pair: str, row: Row) -> tuple[Fraction, Fraction]:
+    def _across(self, pair: str, row: AxisRow) -> tuple[Fraction, Fraction]:
         """The offset across the first axis."""
         if row.b is not None:
             x, y = self.reader.offset(row.a), self.reader.offset(row.b)
@@ -155,12 +155,12 @@ class _Writer:
         self._note(f"{pair}, common normal", a, self._meets(pair, row, a))
         return _fraction(a), Fraction(0)
 
-    def _meets(self, pair: str, row: Row, a: Reading) -> str:
+    def _meets(self, pair: str, row: AxisRow, a: ReadNumber) -> str:
         if a.value:
             return ""
         return f"{pair} coincide" if row.form == "parallel" else f"{pair} meet"
 
-    def _along(self, number: int, row: Row) -> Fraction:
+    def _along(self, number: int, row: AxisRow) -> Fraction:
         if row.d is None:
             return Fraction(0)
         if self.found.chain.joints[number - 1].kind == "prismatic":
@@ -184,7 +184,7 @@ class _Writer:
             return f"axes {number - 1}, {number} and {number + 1} meet in one point"
         return f"no offset along axis {number}"
 
-    def _zero(self, number: int, row: Row) -> Angle:
+    def _zero(self, number: int, row: AxisRow) -> Angle:
         joint = self.found.chain.joints[number]
         if joint.kind == "revolute":
             return self.reader.zero(row.zero)
@@ -192,7 +192,7 @@ class _Writer:
         self._note(f"axis {number + 1}, turn", reading, "")
         return _angle(reading)
 
-    def _note(self, where: str, reading: Reading, relation: str) -> None:
+    def _note(self, where: str, reading: ReadNumber, relation: str) -> None:
         self.taken.append(Taken(where, reading, relation))
 
     # ---- base and tip
@@ -247,17 +247,17 @@ _TWISTS = {
 """The twist in half turns modulo 1, in words."""
 
 
-def _fraction(reading: Reading) -> Fraction:
+def _fraction(reading: ReadNumber) -> Fraction:
     assert isinstance(reading.value, Fraction)
     return reading.value
 
 
-def _angle(reading: Reading) -> Angle:
+def _angle(reading: ReadNumber) -> Angle:
     assert isinstance(reading.value, Angle)
     return reading.value
 
 
-def _matrix(frame: Frame) -> NDArray[np.float64]:
+def _matrix(frame: CanonicalFrame) -> NDArray[np.float64]:
     """A frame as a (4, 4) matrix of doubles."""
     result = np.eye(4)
     columns = (frame.x, cross(frame.z, frame.x), frame.z, frame.origin)

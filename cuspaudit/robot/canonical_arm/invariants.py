@@ -28,16 +28,16 @@ from dataclasses import dataclass
 from flint import arb, ctx
 
 from cuspaudit.robot.canonical_arm.axis_pair import (
+    CommonNormal,
     Floor,
     Form,
-    Meeting,
     Pair,
     length_of,
     turn_angle,
 )
 from cuspaudit.robot.canonical_arm.links import (
     BITS,
-    Step,
+    FixedStep,
     axis_ball,
     matrix_times,
     placed,
@@ -50,13 +50,13 @@ from cuspaudit.robot.lines import Ball, cross, dot, minus
 from cuspaudit.robot.snap_policy import SnapPolicy
 from cuspaudit.robot.virtual_joint import TO_Z, with_virtual_joint
 
-__all__ = ["Frame", "Invariants", "Row", "Tip", "invariants"]
+__all__ = ["AxisRow", "CanonicalFrame", "Invariants", "Tip", "invariants"]
 
 _ORIGIN: Ball = (arb(0), arb(0), arb(0))
 
 
 @dataclass(frozen=True, slots=True)
-class Frame:
+class CanonicalFrame:
     """A canonical frame in that of a joint: ``z`` the axis, ``x`` the common normal."""
 
     x: Ball
@@ -65,7 +65,7 @@ class Frame:
 
 
 @dataclass(frozen=True, slots=True)
-class Row:
+class AxisRow:
     """How one axis lies to the one before, in the canonical frame of that one.
 
     Attributes:
@@ -98,7 +98,7 @@ class Row:
 
 @dataclass(frozen=True, slots=True)
 class Tip:
-    """The tip from the last axis: the distance ``a``, the offset ``d`` as in `Row`."""
+    """The tip from the last axis: distance ``a``, offset ``d`` as in `AxisRow`."""
 
     a: arb
     d: arb | None
@@ -120,10 +120,10 @@ class Invariants:
     """
 
     chain: Chain
-    rows: tuple[Row, ...]
+    rows: tuple[AxisRow, ...]
     tip: Tip | None
-    first: Frame
-    last: Frame
+    first: CanonicalFrame
+    last: CanonicalFrame
     printed: Printed
     floor: Floor
 
@@ -161,7 +161,7 @@ class _Walk:
     def result(self) -> Invariants:
         """The rows: meetings, then common normals, then the turns between those."""
         ref = dot(minus(self.anchor, self.points[0]), self.axes[0])
-        start, pairs, meetings = ref, list[Pair](), list[Meeting]()
+        start, pairs, meetings = ref, list[Pair](), list[CommonNormal]()
         for i in range(self.count - 1):
             pair = self._pair(i)
             pairs.append(pair)
@@ -177,12 +177,14 @@ class _Walk:
             rows,
             tip,
             self._first(normals[0], start),
-            Frame(normals[-1], self.axes[-1], self._on_axis(self.count - 1, ref)),
+            CanonicalFrame(
+                normals[-1], self.axes[-1], self._on_axis(self.count - 1, ref)
+            ),
             self.printed,
             self.floor,
         )
 
-    def _step(self, motions: tuple[Motion, ...], policy: SnapPolicy) -> Step:
+    def _step(self, motions: tuple[Motion, ...], policy: SnapPolicy) -> FixedStep:
         return placed(motions, self.printed, policy.printed)
 
     def _pair(self, i: int) -> Pair:
@@ -249,7 +251,7 @@ class _Walk:
             i -= 1
         return i + 1
 
-    def _normals(self, meetings: list[Meeting], tip: Ball | None) -> list[Ball]:
+    def _normals(self, meetings: list[CommonNormal], tip: Ball | None) -> list[Ball]:
         """The x direction at each axis; where axes coincide, that of a neighbour.
 
         It is the next one that is known, so that the turn between the two falls to the
@@ -290,9 +292,9 @@ class _Walk:
         self,
         i: int,
         pairs: list[Pair],
-        meetings: list[Meeting],
+        meetings: list[CommonNormal],
         normals: list[Ball],
-    ) -> Row:
+    ) -> AxisRow:
         pair, meeting = pairs[i], meetings[i]
         axis, before, here = (
             self.axes[i + 1],
@@ -303,7 +305,7 @@ class _Walk:
         d = meeting.d
         if not self.slides[i] and not _has_started(pairs[:i]):
             d = None
-        return Row(
+        return AxisRow(
             pair.form,
             meeting.a,
             meeting.b,
@@ -317,11 +319,11 @@ class _Walk:
             self._since(i, pairs),
         )
 
-    def _first(self, normal: Ball, ref: arb) -> Frame:
+    def _first(self, normal: Ball, ref: arb) -> CanonicalFrame:
         """The canonical frame of joint 1, in the base."""
         turn = self.base.turn
         origin = self.base.apply(self._on_axis(0, ref))
-        return Frame(
+        return CanonicalFrame(
             matrix_times(turn, normal), matrix_times(turn, self.axes[0]), origin
         )
 

@@ -22,13 +22,13 @@ from cuspaudit.robot.chain import Joint, Motion, Rotation, Translation, Vector
 from cuspaudit.robot.lines import Ball
 from cuspaudit.robot.printed_angles import printed_multiple
 
-__all__ = ["BITS", "Step", "axis_ball", "matrix_times", "placed", "scaled", "unit"]
+__all__ = ["BITS", "FixedStep", "axis_ball", "matrix_times", "placed", "scaled", "unit"]
 
 BITS = 320
 
 
 @dataclass(frozen=True, slots=True)
-class Step:
+class FixedStep:
     """A fixed transform x -> turn x + move, in balls."""
 
     turn: arb_mat
@@ -43,7 +43,7 @@ class Step:
         return matrix_times(self.turn.transpose(), direction)
 
 
-def placed(motions: tuple[Motion, ...], printed: Printed, reads_pi: bool) -> Step:
+def placed(motions: tuple[Motion, ...], printed: Printed, reads_pi: bool) -> FixedStep:
     """The product of ``motions``, each number with its printed error.
 
     Args:
@@ -61,7 +61,7 @@ def placed(motions: tuple[Motion, ...], printed: Printed, reads_pi: bool) -> Ste
             move = _plus(move, matrix_times(turn, (x, y, z)))
         else:
             turn = turn * _rotation(motion, printed, reads_pi)
-    return Step(turn, move)
+    return FixedStep(turn, move)
 
 
 def axis_ball(joint: Joint, printed: Printed) -> Ball:

@@ -29,7 +29,7 @@ from cuspaudit.robot.chain import Angle
 from cuspaudit.robot.numbers import decimal_places, format_angle, format_rational
 from cuspaudit.robot.printed_angles import PI, is_printed
 
-__all__ = ["Reader", "Reading"]
+__all__ = ["ReadNumber", "Reader"]
 
 _FINEST = 24
 _PRINTED_NOISE = 1e-8
@@ -38,7 +38,7 @@ _RELATIVE = 1e-6
 
 
 @dataclass(frozen=True, slots=True)
-class Reading:
+class ReadNumber:
     """A number, read.
 
     Attributes:
@@ -82,19 +82,19 @@ class Reader:
     reads_pi: bool
     is_rounded: bool
 
-    def length(self, ball: arb, extra: float = 0.0) -> Reading:
+    def length(self, ball: arb, extra: float = 0.0) -> ReadNumber:
         """A length, in the unit of the chain; ``extra`` is what moved it."""
         if self.floor.is_zero_length(ball, extra):
             return self._reading(Fraction(0), ball, True)
         return self.offset(ball)
 
-    def offset(self, ball: arb) -> Reading:
+    def offset(self, ball: arb) -> ReadNumber:
         """A length that has no structural value: the zero of a slide."""
         reach = min(float(ball.rad()), CAP_LENGTH * self.floor.unit)
         value = _decimal(ball, reach + self._slack(ball) * self.floor.unit)
         return self._reading(value, ball, value == 0)
 
-    def angle(self, ball: arb) -> Reading:
+    def angle(self, ball: arb) -> ReadNumber:
         """An angle between two axes, or between two common normals."""
         reach = min(float(ball.rad()), CAP_ANGLE)
         for parts in (6, 4):
@@ -120,7 +120,7 @@ class Reader:
         assert isinstance(angle, Angle)
         return angle
 
-    def _plain(self, ball: arb, reach: float) -> Reading:
+    def _plain(self, ball: arb, reach: float) -> ReadNumber:
         pi = arb.pi()
         degrees = _decimal(ball * 180 / pi, reach * 180 / float(PI))
         radians = _decimal(ball, reach)
@@ -130,11 +130,11 @@ class Reader:
             angle = Angle(radians=radians)
         return self._turn(angle, ball, angle.is_zero)
 
-    def _turn(self, angle: Angle, ball: arb, is_special: bool) -> Reading:
+    def _turn(self, angle: Angle, ball: arb, is_special: bool) -> ReadNumber:
         used = _half_turns(angle.half_turns) + _ball(angle.radians)
         return self._compared(angle, format_angle(angle), used, ball, is_special)
 
-    def _reading(self, value: Fraction, ball: arb, is_special: bool) -> Reading:
+    def _reading(self, value: Fraction, ball: arb, is_special: bool) -> ReadNumber:
         text = format_rational(value)
         return self._compared(value, text, _ball(value), ball, is_special)
 
@@ -145,10 +145,10 @@ class Reader:
         used: arb,
         ball: arb,
         is_special: bool,
-    ) -> Reading:
+    ) -> ReadNumber:
         difference = float(used - ball.mid())
         is_other = not ball.overlaps(used)
-        return Reading(
+        return ReadNumber(
             value,
             text,
             float(ball.mid()),

@@ -14,13 +14,13 @@ from typing import Generic, Protocol, TypeVar
 
 from cuspaudit.robot.place import Place, listing, quoted
 
-__all__ = ["Branch", "Edge", "Tree"]
+__all__ = ["Branch", "Tree", "TreeJoint"]
 
 _LONGEST_FINGER = 5
 _FEWEST_TO_HAND = 3
 
 
-class Edge(Protocol):
+class TreeJoint(Protocol):
     """A joint of a tree: its name, its kind ("fixed" or another), and its two links."""
 
     @property
@@ -40,7 +40,7 @@ class Edge(Protocol):
         """The link it carries."""
 
 
-E = TypeVar("E", bound=Edge)
+E = TypeVar("E", bound=TreeJoint)
 
 
 @dataclass(frozen=True, slots=True)
@@ -212,5 +212,5 @@ class Tree(Generic[E]):
         return depths
 
 
-def _moves(joint: Edge) -> bool:
+def _moves(joint: TreeJoint) -> bool:
     return joint.kind != "fixed"

@@ -35,7 +35,7 @@ from cuspaudit.toolpath.following.on_the_way import look_on_the_way
 from cuspaudit.toolpath.following.reduced_value import reduced_value
 from cuspaudit.toolpath.following.runs import loop_runs
 from cuspaudit.toolpath.following.starts import Solved, solve_pose
-from cuspaudit.toolpath.following.strand import Link, looped
+from cuspaudit.toolpath.following.strand import TubeLink, looped
 from cuspaudit.toolpath.following.strands import (
     Followed,
     has_run,
@@ -81,7 +81,7 @@ def complete_runs(
     except (AssumptionError, RetryableError, UnableError) as limit:
         return False, [f"{_NOT_COUNTED}: {limit}"]
     complete = True
-    links: dict[int, list[Link]] = defaultdict(list)
+    links: dict[int, list[TubeLink]] = defaultdict(list)
     sort_links(found.runs, links)
     for leg, s in between:
         if time_is_up():
@@ -185,7 +185,7 @@ def _is_complete(
     leg: int,
     s: Fraction,
     found: Followed,
-    links: dict[int, list[Link]],
+    links: dict[int, list[TubeLink]],
 ) -> bool:
     """Whether all postures at a parameter have a run; missing runs are added.
 

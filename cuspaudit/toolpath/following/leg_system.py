@@ -29,7 +29,7 @@ import numpy as np
 from flint import arb, arb_mat
 from numpy.typing import NDArray
 
-from cuspaudit.toolpath.ball_arm import BallArm, Placed
+from cuspaudit.toolpath.ball_arm import BallArm, PlacedArm
 
 __all__ = ["Goal", "LegSystem"]
 
@@ -151,7 +151,7 @@ class LegSystem:
         """F(y), (n, 1)."""
         return self.value_of(self.arm.placed(y[:-1]), y)
 
-    def value_of(self, placed: Placed, y: Sequence[arb]) -> arb_mat:
+    def value_of(self, placed: PlacedArm, y: Sequence[arb]) -> arb_mat:
         """F(y), (n, 1), the arm being ``placed`` at y."""
         tip = placed.tip
         values = [tip[i, 3] - p for i, p in enumerate(self.goal.place(y[-1]))]
@@ -170,7 +170,7 @@ class LegSystem:
         """Whether a zero in the box ``y`` is no half turn, proved."""
         return self.is_genuine_at(self.arm.placed(y[:-1]), y)
 
-    def is_genuine_at(self, placed: Placed, y: Sequence[arb]) -> bool:
+    def is_genuine_at(self, placed: PlacedArm, y: Sequence[arb]) -> bool:
         """The same, the arm being ``placed`` at y: E turns by less than 90 degrees."""
         if self.signs is not None:
             return bool(self._angle(y).cos() > 0)

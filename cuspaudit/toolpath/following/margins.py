@@ -19,7 +19,7 @@ from cuspaudit.toolpath.following.runs import FreeRun
 from cuspaudit.toolpath.following.tube import Knot
 from cuspaudit.toolpath.limits import joint_ranges
 from cuspaudit.toolpath.traced_arm import TracedArm
-from cuspaudit.toolpath.traced_path import Run, Trace
+from cuspaudit.toolpath.traced_path import Run, TracedPath
 
 __all__ = [
     "limit_margin",
@@ -143,7 +143,7 @@ def limit_margin(arm: TracedArm, run: Run) -> float | None:
     return None if smallest is None else max(0.0, smallest)
 
 
-def recommended(trace: Trace) -> int | None:
+def recommended(trace: TracedPath) -> int | None:
     """The run to start in: of those that reach the end, the one with the most room.
 
     Room is the smaller of the distance to a singular posture and to a limit.

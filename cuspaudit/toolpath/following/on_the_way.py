@@ -23,7 +23,7 @@ from cuspaudit.kinematics.postures.numeric import PostureSolver
 from cuspaudit.runtime.clock import time_is_up
 from cuspaudit.toolpath.following.leg_system import LegSystem
 from cuspaudit.toolpath.following.runs import loop_runs
-from cuspaudit.toolpath.following.strand import Link, looped
+from cuspaudit.toolpath.following.strand import TubeLink, looped
 from cuspaudit.toolpath.following.strands import Followed, has_run, sort_links
 from cuspaudit.toolpath.known import known_posture
 from cuspaudit.toolpath.traced_arm import TracedArm
@@ -52,7 +52,7 @@ def look_on_the_way(
     except UnableError:
         return ["runs that are born and die on the way are not looked for"]
     places = _places(len(legs), found)
-    links: dict[int, list[Link]] = defaultdict(list)
+    links: dict[int, list[TubeLink]] = defaultdict(list)
     sort_links(found.runs, links)
     met, lost = 0, 0
     for (leg, s), postures in zip(places, _solved(solver, legs, places), strict=True):

@@ -19,10 +19,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cuspaudit.toolpath.following.leg_system import LegSystem
-from cuspaudit.toolpath.following.strand import Link, Strand, refined
+from cuspaudit.toolpath.following.strand import Strand, TubeLink, refined
 from cuspaudit.toolpath.following.tube import Knot
 
-__all__ = ["Bound", "FreeRun", "loop_runs", "runs_of"]
+__all__ = ["FreeRun", "RunEnd", "loop_runs", "runs_of"]
 
 Array = NDArray[np.float64]
 
@@ -30,7 +30,7 @@ _STEP, _MOST_BETWEEN = 0.04, 12
 
 
 @dataclass(frozen=True, slots=True)
-class Bound:
+class RunEnd:
     """Where and of what a run begins or ends.
 
     Attributes:
@@ -60,12 +60,12 @@ class FreeRun:
         forward: whether the strand was followed with growing s.
     """
 
-    links: tuple[Link, ...]
-    begin: Bound
-    end: Bound
+    links: tuple[TubeLink, ...]
+    begin: RunEnd
+    end: RunEnd
     forward: bool
 
-    def knots(self, link: Link) -> tuple[Knot, Knot]:
+    def knots(self, link: TubeLink) -> tuple[Knot, Knot]:
         """The knots of a link, by growing s."""
         if self.forward:
             return link.before, link.after
@@ -95,13 +95,13 @@ class FreeRun:
         return np.array(rows)
 
 
-def _row(link: Link, point: Array) -> Array:
+def _row(link: TubeLink, point: Array) -> Array:
     row = point.copy()
     row[-1] += link.leg
     return row
 
 
-def _between(link: Link, first: Array, last: Array) -> list[Array]:
+def _between(link: TubeLink, first: Array, last: Array) -> list[Array]:
     """Points of the axis of a tube between two of its ends."""
     tube = link.tube
     count = min(int(np.abs(last[:-1] - first[:-1]).max() / _STEP), _MOST_BETWEEN)
@@ -127,7 +127,7 @@ def runs_of(
         return []
     groups = [(trend, list(some)) for trend, some in groupby(links, lambda k: k.trend)]
     first = 0.0 if from_start else float(len(legs))
-    left = Bound("path", first, first)
+    left = RunEnd("path", first, first)
     runs = []
     for index, (trend, group) in enumerate(groups):
         if trend == 0:
@@ -141,7 +141,7 @@ def runs_of(
     return runs
 
 
-def loop_runs(legs: Sequence[LegSystem], links: Sequence[Link]) -> list[FreeRun]:
+def loop_runs(legs: Sequence[LegSystem], links: Sequence[TubeLink]) -> list[FreeRun]:
     """The runs of a closed strand, once round.
 
     Args:
@@ -171,23 +171,25 @@ def loop_runs(legs: Sequence[LegSystem], links: Sequence[Link]) -> list[FreeRun]
     return runs
 
 
-def _window(flat: list[Link]) -> Bound:
+def _window(flat: list[TubeLink]) -> RunEnd:
     low = min(link.leg + float(link.tube.low[-1]) for link in flat)
     high = max(link.leg + float(link.tube.high[-1]) for link in flat)
     # the sums are rounded
-    return Bound(
+    return RunEnd(
         "singular", math.nextafter(low, -math.inf), math.nextafter(high, math.inf)
     )
 
 
-def _right(groups: list[tuple[int, list[Link]]], index: int, strand: Strand) -> Bound:
+def _right(
+    groups: list[tuple[int, list[TubeLink]]], index: int, strand: Strand
+) -> RunEnd:
     """What stands after a group, in the order of the strand."""
     trend = groups[index][0]
     rest = groups[index + 1 :]
     if not rest:
         if strand.exit == "stuck":
-            return Bound("undecided", strand.at, strand.at)
-        return Bound("path", strand.at, strand.at)
+            return RunEnd("undecided", strand.at, strand.at)
+        return RunEnd("path", strand.at, strand.at)
     window = _window(rest[0][1])
     turned = len(rest) > 1 and rest[1][0] == -trend
     return window if turned else replace(window, kind="undecided")

@@ -23,11 +23,11 @@ from cuspaudit.runtime.clock import time_is_up
 from cuspaudit.toolpath.ball_arm import BallArm
 from cuspaudit.toolpath.following.leg_system import LegSystem
 from cuspaudit.toolpath.following.tube import Knot, Tube, knot_at, tube_round
-from cuspaudit.toolpath.following.tube_axis import Axis, axis_at, beside
+from cuspaudit.toolpath.following.tube_axis import TubeAxis, axis_at, beside
 
 __all__ = [
-    "Link",
     "Strand",
+    "TubeLink",
     "followed",
     "looped",
     "refined",
@@ -51,7 +51,7 @@ _SHIFT = 1e-14
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Link:
+class TubeLink:
     """A tube of a leg, and the knots at its ends, in the order of the strand."""
 
     leg: int
@@ -77,7 +77,7 @@ class Strand:
         last: its last knot.
     """
 
-    links: tuple[Link, ...]
+    links: tuple[TubeLink, ...]
     exit: Exit
     leg: int
     last: Knot
@@ -97,7 +97,7 @@ def followed(legs: Sequence[LegSystem], leg: int, knot: Knot, forward: bool) -> 
         knot: with a regular posture at its zero.
         forward: whether the strand is to begin with growing s.
     """
-    links: list[Link] = []
+    links: list[TubeLink] = []
     while True:
         pieces = list(_along(legs[leg], leg, knot, forward))
         links += pieces
@@ -115,7 +115,7 @@ def followed(legs: Sequence[LegSystem], leg: int, knot: Knot, forward: bool) -> 
         knot = Knot(at, knot.reach)
 
 
-def looped(legs: Sequence[LegSystem], leg: int, knot: Knot) -> list[Link] | None:
+def looped(legs: Sequence[LegSystem], leg: int, knot: Knot) -> list[TubeLink] | None:
     """The tubes of a closed strand through a knot inside a leg, once round.
 
     Joints may have made whole turns when it comes back.
@@ -123,7 +123,7 @@ def looped(legs: Sequence[LegSystem], leg: int, knot: Knot) -> list[Link] | None
     Returns:
         None if it is not closed, or a step cannot be proved.
     """
-    links: list[Link] = []
+    links: list[TubeLink] = []
     here, start, forward, away = leg, knot, True, False
     while len(links) < _MOST:
         pieces = []
@@ -160,7 +160,7 @@ def unwound(arm: BallArm, knot: Knot, tube: Tube) -> Knot:
     return Knot(at, reach)
 
 
-def refined(system: LegSystem, link: Link) -> list[Link]:
+def refined(system: LegSystem, link: TubeLink) -> list[TubeLink]:
     """The link in pieces that are monotone in s, but for some that hardly move in s."""
     tube = link.tube
     thin = float(tube.high[-1] - tube.low[-1]) < _FLAT
@@ -172,7 +172,7 @@ def refined(system: LegSystem, link: Link) -> list[Link]:
     return [piece for half in halves for piece in refined(system, half)]
 
 
-def split(system: LegSystem, link: Link) -> tuple[Link, Link] | None:
+def split(system: LegSystem, link: TubeLink) -> tuple[TubeLink, TubeLink] | None:
     """The link in two halves, proved anew; None if they are too short for that."""
     tube, points = link.tube, []
     for share in (0.25, 0.5, 0.75):
@@ -194,7 +194,7 @@ def split(system: LegSystem, link: Link) -> tuple[Link, Link] | None:
         half = None if axis is None else tube_round(axis, (ends[0].at, ends[1].at))
         if half is None or not all(half.holds(end) for end in ends):
             return None
-        result.append(Link(link.leg, half, *ends))
+        result.append(TubeLink(link.leg, half, *ends))
     return result[0], result[1]
 
 
@@ -205,7 +205,9 @@ def _leaves(knot: Knot, forward: bool) -> int:
     return -1 if s == 0.0 else 0
 
 
-def _along(system: LegSystem, leg: int, knot: Knot, forward: bool) -> Iterator[Link]:
+def _along(
+    system: LegSystem, leg: int, knot: Knot, forward: bool
+) -> Iterator[TubeLink]:
     """Tubes from ``knot`` to an end of the leg, or as far as they can be proved."""
     heading = np.zeros(system.size + 1)
     heading[-1] = 1.0 if forward else -1.0
@@ -232,8 +234,13 @@ def _along(system: LegSystem, leg: int, knot: Knot, forward: bool) -> Iterator[L
 
 
 def _step(
-    system: LegSystem, leg: int, knot: Knot, axis: Axis, size: float, last: Tube | None
-) -> tuple[Link, Axis | None] | None:
+    system: LegSystem,
+    leg: int,
+    knot: Knot,
+    axis: TubeAxis,
+    size: float,
+    last: Tube | None,
+) -> tuple[TubeLink, TubeAxis | None] | None:
     """A tube of about ``size`` from ``knot``, or to the end of the leg.
 
     Sizes are those of the bounds (`Expansion.length`): how far the joints move.
@@ -275,10 +282,10 @@ def _step(
     if after is None or not tube.holds(knot) or not tube.holds(after):
         return None
     following = None if wall is not None else axis_at(system, end, tube.along)
-    return Link(leg, tube, knot, after), following
+    return TubeLink(leg, tube, knot, after), following
 
 
-def _to_wall(axis: Axis, gap: float, size: float) -> float | None:
+def _to_wall(axis: TubeAxis, gap: float, size: float) -> float | None:
     """The t at which the axis has come ``gap`` further in s, at most ``size``."""
     rise, bow = float(axis.along[-1]), float(axis.bow[-1])
     inside = rise * rise + 4 * bow * gap
@@ -293,7 +300,7 @@ def _to_wall(axis: Axis, gap: float, size: float) -> float | None:
     return min(ahead) if ahead and min(ahead) <= size * (1 + 1e-9) else None
 
 
-def _is_safe(tube: Tube, axis: Axis, last: Tube | None) -> bool:
+def _is_safe(tube: Tube, axis: TubeAxis, last: Tube | None) -> bool:
     """Whether the tube stays on the leg, and goes on the way the strand came."""
     trend = tube.trend(-1)
     if trend == 0 and not (tube.low[-1] > 0.0 and tube.high[-1] < 1.0):

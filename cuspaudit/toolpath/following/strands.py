@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from cuspaudit.toolpath.following.leg_system import LegSystem
 from cuspaudit.toolpath.following.runs import FreeRun, runs_of
 from cuspaudit.toolpath.following.starts import Solved
-from cuspaudit.toolpath.following.strand import Link, followed, unwound
+from cuspaudit.toolpath.following.strand import TubeLink, followed, unwound
 from cuspaudit.toolpath.following.tube import Knot
 from cuspaudit.toolpath.known import Known, known_posture
 from cuspaudit.toolpath.traced_arm import TracedArm
@@ -146,14 +146,14 @@ def turns_between(arm: TracedArm, a: Array, b: Array) -> Array | None:
     return turns if np.abs(a - b - 2 * np.pi * turns).max() < 1e-6 else None
 
 
-def sort_links(runs: Sequence[FreeRun], links: dict[int, list[Link]]) -> None:
+def sort_links(runs: Sequence[FreeRun], links: dict[int, list[TubeLink]]) -> None:
     """Add the links of runs to those of their legs."""
     for run in runs:
         for link in run.links:
             links[link.leg].append(link)
 
 
-def has_run(arm: TracedArm, links: Sequence[Link], knot: Knot) -> bool:
+def has_run(arm: TracedArm, links: Sequence[TubeLink], knot: Knot) -> bool:
     """Whether the posture in a knot is on a run, proved: in a tube of one of its links.
 
     There s is monotone. The knot is between the two of the link, as the tube reaches

@@ -35,7 +35,7 @@ from numpy.typing import NDArray
 
 from cuspaudit.toolpath.following.expansion import ROUNDING, Expansion, expansion_at
 from cuspaudit.toolpath.following.leg_system import LegSystem
-from cuspaudit.toolpath.following.tube_axis import Axis, inverse
+from cuspaudit.toolpath.following.tube_axis import TubeAxis, inverse
 from cuspaudit.toolpath.following.tube_bounds import (
     MOST_JOINTS,
     MOST_OFF,
@@ -171,7 +171,7 @@ def _has_zero(
     return bool(((own + left.sum(axis=1) * size) * UP < size).all())
 
 
-def tube_round(axis: Axis, ends: tuple[Array, Array]) -> Tube | None:
+def tube_round(axis: TubeAxis, ends: tuple[Array, Array]) -> Tube | None:
     """The tube along ``axis`` that reaches a little beyond two points, if proved.
 
     Args:

@@ -11,13 +11,13 @@ from numpy.typing import NDArray
 from cuspaudit.toolpath.following.expansion import Expansion, expansion_at
 from cuspaudit.toolpath.following.leg_system import LegSystem
 
-__all__ = ["Axis", "axis_at", "beside", "inverse"]
+__all__ = ["TubeAxis", "axis_at", "beside", "inverse"]
 
 Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Axis:
+class TubeAxis:
     """The axis of a tube, without its ends.
 
     Attributes:
@@ -39,7 +39,7 @@ class Axis:
         return self.here.at + t * self.along + t * t * self.bow
 
 
-def axis_at(system: LegSystem, at: Array, heading: Array) -> Axis | None:
+def axis_at(system: LegSystem, at: Array, heading: Array) -> TubeAxis | None:
     """The axis through ``at``, a zero nearly, on the side of ``heading``."""
     here = expansion_at(system, at)
     if not here.sound:
@@ -57,7 +57,7 @@ def axis_at(system: LegSystem, at: Array, heading: Array) -> Axis | None:
     if Y is None or not np.isfinite(along).all():
         return None
     bow = across @ (Y @ (here.bend @ along @ along)) / -2
-    return Axis(here, along, across, bow, Y)
+    return TubeAxis(here, along, across, bow, Y)
 
 
 def beside(direction: Array) -> Array:

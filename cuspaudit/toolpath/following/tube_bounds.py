@@ -44,7 +44,7 @@ from numpy.typing import NDArray
 
 from cuspaudit.toolpath.following.expansion import NOISE, Expansion
 from cuspaudit.toolpath.following.leg_system import LegSystem
-from cuspaudit.toolpath.following.tube_axis import Axis
+from cuspaudit.toolpath.following.tube_axis import TubeAxis
 
 __all__ = [
     "MOST_JOINTS",
@@ -73,7 +73,7 @@ _SQUARE = 4e-15
 class TubeBounds:
     """The bounds of the module's theorem for one axis and |t| <= T."""
 
-    def __init__(self, axis: Axis, T: float) -> None:
+    def __init__(self, axis: TubeAxis, T: float) -> None:
         here, Y, N = axis.here, axis.Y, axis.across
         system, a, e = here.system, axis.along, axis.bow
         self.T, self._axis = T, axis

@@ -10,7 +10,7 @@ from short_tables import Number, arm, ask, degrees, with_wrist
 from cuspaudit.auditing.answer import Answer
 from cuspaudit.auditing.deciders import certify as module
 from cuspaudit.auditing.deciders.certify import find_witness
-from cuspaudit.auditing.witness import Witness, certificate_of
+from cuspaudit.auditing.witness import CertifiedPath, certificate_of
 from cuspaudit.certificate import (
     certificate_from_text,
     text_from_certificate,
@@ -44,7 +44,7 @@ def asked(name: str) -> Answer:
 
 
 @cache
-def witness_of(name: str) -> Witness:
+def witness_of(name: str) -> CertifiedPath:
     """Its witness."""
     return find_witness(asked(name), CUSPIDAL[name])
 

@@ -12,8 +12,9 @@ import numpy as np
 import pytest
 from short_tables import arm, degrees, with_wrist
 
-from cuspaudit.auditing.audit import Audit, audit
+from cuspaudit.auditing.audit import audit
 from cuspaudit.auditing.proofs.certificates import certificate_text
+from cuspaudit.auditing.record import FinishedAudit
 from cuspaudit.certificate import certificate_from_text, verify
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.robot.chain import Chain
@@ -39,7 +40,7 @@ def limited(chain: Chain, limits: tuple[tuple[int, int] | None, ...]) -> Robot:
     return Robot(name="arm", chain=chain.with_joints(joints), file="arm.yaml")
 
 
-def checked(found: Audit) -> dict[str, object]:
+def checked(found: FinishedAudit) -> dict[str, object]:
     """The key ``limits`` of its JSON, held to the schema."""
     record = json.loads(json.dumps(found.record(), allow_nan=False))
     jsonschema.validate(record, SCHEMA)

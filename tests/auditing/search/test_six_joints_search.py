@@ -11,7 +11,7 @@ import cuspaudit
 from cuspaudit.auditing.answer import Reason
 from cuspaudit.auditing.case import Case
 from cuspaudit.auditing.deciders.by_search import by_search, search_witness
-from cuspaudit.auditing.search.six_joints import Search, search
+from cuspaudit.auditing.search.six_joints import PathSearch, search
 from cuspaudit.certificate import verify
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import UnableError
@@ -38,7 +38,7 @@ def chain_of(name: str) -> Chain:
 
 
 @cache
-def looked(name: str) -> Search:
+def looked(name: str) -> PathSearch:
     """A search in the arm of a robot file."""
     return search(chain_of(name), seed=2, most=32)
 

@@ -14,7 +14,7 @@ import cuspaudit as cu
 from cuspaudit.auditing.audit import audit
 from cuspaudit.auditing.options import Options
 from cuspaudit.auditing.proofs.certificates import certificate_of_audit
-from cuspaudit.auditing.tolerance.box import Box, over
+from cuspaudit.auditing.tolerance.box import ToleranceBox, over
 from cuspaudit.auditing.tolerance.nearby_arms import built_arm, nearby_arms
 from cuspaudit.certificate import verify
 from cuspaudit.cuspidality.verdict import Verdict
@@ -25,7 +25,7 @@ from cuspaudit.robot.library import open_robot
 from cuspaudit.robot.tolerance import AxisTolerance, tolerance_from_file
 from cuspaudit.runtime.clock import Clock
 
-SMALL = Box(AxisTolerance(Fraction(1, 10_000), Fraction(1, 10_000)))
+SMALL = ToleranceBox(AxisTolerance(Fraction(1, 10_000), Fraction(1, 10_000)))
 TABLE = """
 name: arm
 convention: standard
@@ -120,7 +120,7 @@ def test_a_noncuspidal_arm_of_three_joints_is_proved_over_lengths() -> None:
     assert certificate is not None
     assert certificate.tolerance is not None
     assert verify(certificate).accepted
-    assert not verify(over(certificate, Box(box).times(1e6))).accepted
+    assert not verify(over(certificate, ToleranceBox(box).times(1e6))).accepted
     tilted = audit(robot, Options(tolerance=replace(box, angles=box.lengths)))
     assert tilted.over is not None
     assert tilted.over.verdict is Verdict.UNDECIDED

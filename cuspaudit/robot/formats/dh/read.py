@@ -36,7 +36,7 @@ from cuspaudit.robot.entries import check_known, word
 from cuspaudit.robot.formats.dh.headers import stated_by
 from cuspaudit.robot.formats.dh.lines import read_table
 from cuspaudit.robot.formats.dh.rows import (
-    Row,
+    TableRow,
     named_rows,
     parse_rows,
     split_play,
@@ -46,7 +46,7 @@ from cuspaudit.robot.formats.dh.settings import Convention, Given, Settings, set
 from cuspaudit.robot.formats.motion_text import parse_motions
 from cuspaudit.robot.frames import angle_value
 from cuspaudit.robot.place import Place, listing
-from cuspaudit.robot.robot import Reading, Robot, parse_expectation
+from cuspaudit.robot.robot import Robot, TableReading, parse_expectation
 from cuspaudit.robot.tables import Table
 from cuspaudit.robot.task import check_limits, default_task, parse_task
 from cuspaudit.robot.tolerance import AxisTolerance, LooseNumber, parse_tolerance
@@ -119,7 +119,7 @@ def robot_from_table(
         source=word(head, "source", place) or "",
         expect=_expectation(head, place),
         notes=(*notes, *check_limits(chain, place)),
-        other_convention=Reading(
+        other_convention=TableReading(
             other.convention, _chain(head, rows, other, path, task)
         ),
         tolerance=_tolerance(head, place),
@@ -133,7 +133,7 @@ def _tolerance(head: Mapping[str, object], place: Place) -> AxisTolerance | None
     return parse_tolerance(head["tolerance"], place.at("tolerance"))
 
 
-def _loose(row: Row) -> Iterator[LooseNumber]:
+def _loose(row: TableRow) -> Iterator[LooseNumber]:
     """The loose numbers of a row, by the motions they make."""
     for column, within in row.loose.items():
         axis = X_AXIS if column in ("a", "alpha") else Z_AXIS
@@ -143,7 +143,7 @@ def _loose(row: Row) -> Iterator[LooseNumber]:
 
 def _chain(
     head: Mapping[str, object],
-    rows: Sequence[Row],
+    rows: Sequence[TableRow],
     chosen: Settings,
     path: Path,
     task: str | None,
@@ -166,7 +166,7 @@ def _chain(
 
 
 def chain_from_rows(
-    rows: Sequence[Row], convention: Convention
+    rows: Sequence[TableRow], convention: Convention
 ) -> tuple[tuple[Joint, ...], tuple[Motion, ...]]:
     """The joints of the rows, and the fixed transform after the last one."""
     joints = []
@@ -190,20 +190,22 @@ def chain_from_rows(
     return tuple(joints), pending
 
 
-def _length(row: Row, column: str, value: Fraction, axis: int) -> tuple[Motion, ...]:
+def _length(
+    row: TableRow, column: str, value: Fraction, axis: int
+) -> tuple[Motion, ...]:
     if value == 0 and column not in row.loose:
         return ()
     x, y, z = (value if k == axis else Fraction(0) for k in range(3))
     return (Translation((x, y, z), f"{row.name} {column}"),)
 
 
-def _twist(row: Row) -> tuple[Motion, ...]:
+def _twist(row: TableRow) -> tuple[Motion, ...]:
     if row.alpha.is_zero and "alpha" not in row.loose:
         return ()
     return (Rotation(X_AXIS, row.alpha, f"{row.name} alpha"),)
 
 
-def _offset(row: Row) -> tuple[Motion, ...]:
+def _offset(row: TableRow) -> tuple[Motion, ...]:
     if row.theta.is_zero and "theta" not in row.loose:
         return ()
     return (Rotation(Z_AXIS, row.theta, f"{row.name} theta"),)
@@ -233,7 +235,7 @@ def _settings_notes(chosen: Settings, stated: Mapping[str, str]) -> list[str]:
     return notes
 
 
-def _type_notes(rows: Sequence[Row]) -> list[str]:
+def _type_notes(rows: Sequence[TableRow]) -> list[str]:
     """Which rows state no type, and how they are read."""
     if all(row.kind == "revolute" and not row.is_typed for row in rows):
         return ["no row states a type: all joints are read as revolute"]
@@ -246,7 +248,7 @@ def _type_notes(rows: Sequence[Row]) -> list[str]:
     return notes
 
 
-def _notes(rows: Sequence[Row]) -> list[str]:
+def _notes(rows: Sequence[TableRow]) -> list[str]:
     """A remark for each angle so large that it looks like degrees."""
     return [
         f"{row.name} {column} is more than two turns: rad, or meant as deg?"

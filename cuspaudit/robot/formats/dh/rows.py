@@ -17,7 +17,7 @@ from cuspaudit.robot.numbers import AngleUnit, parse_angle, parse_length
 from cuspaudit.robot.place import Place, quoted
 from cuspaudit.robot.tolerance import parse_within, plus_minus
 
-__all__ = ["Limits", "Row", "named_rows", "parse_rows", "split_play", "with_play"]
+__all__ = ["Limits", "TableRow", "named_rows", "parse_rows", "split_play", "with_play"]
 
 
 Limits = tuple[Angle, Angle] | tuple[Fraction, Fraction] | None
@@ -28,7 +28,7 @@ _SIGNS = {None: 1, "1": 1, "+1": 1, "-1": -1}
 
 
 @dataclass(frozen=True, slots=True)
-class Row:
+class TableRow:
     """One joint of a table.
 
     Attributes:
@@ -113,11 +113,11 @@ def split_play(
 
 
 def with_play(
-    rows: Sequence[Row],
+    rows: Sequence[TableRow],
     played: Sequence[Mapping[str, str]],
     unit: AngleUnit | None,
     place: Place,
-) -> list[Row]:
+) -> list[TableRow]:
     """The rows with how loose their numbers are, as `split_play` found it."""
     return [
         replace(
@@ -138,7 +138,7 @@ def with_play(
 
 def parse_rows(
     rows: Sequence[Mapping[str, object]], unit: AngleUnit | None, place: Place
-) -> list[Row]:
+) -> list[TableRow]:
     """The rows, base to tip, their names all different.
 
     Args:
@@ -155,7 +155,7 @@ def parse_rows(
     if len(rows) > MOST_JOINTS:
         expected = f"give a chain of at most {MOST_JOINTS}"
         raise place.error(f"{len(rows)} joints", expected)
-    result: list[Row] = []
+    result: list[TableRow] = []
     places = [place.at(f"row {number}") for number in range(1, len(rows) + 1)]
     moving = [moving_entry(*pair) for pair in zip(rows, places, strict=True)]
     check_indices([entry.index for entry in moving], place)
@@ -177,7 +177,7 @@ def _row(
     moving: Moving,
     unit: AngleUnit | None,
     place: Place,
-) -> Row:
+) -> TableRow:
     before: tuple[Motion, ...] = ()
     if cells.get("before") is not None:
         here = place.at("before")
@@ -188,7 +188,7 @@ def _row(
         missing = word(cells, column, place) is None
         if missing and not (column == "d" and moving.kind == "prismatic"):
             raise place.at(column).error("no value", "write 0 or a number")
-    return Row(
+    return TableRow(
         name=name,
         kind=moving.kind,
         theta=parse_angle(moving.theta, place.at("theta"), unit),
@@ -209,7 +209,7 @@ def _free_row(
     before: tuple[Motion, ...],
     unit: AngleUnit | None,
     place: Place,
-) -> Row:
+) -> TableRow:
     """A joint given by the motions before it and its axis, without D-H numbers."""
     for column in ("theta", "d", "a", "alpha", "sign", "offset"):
         if column in cells:
@@ -219,7 +219,7 @@ def _free_row(
     axis = parse_direction(word(cells, "axis", place) or "", place.at("axis"))
     zero, none = Fraction(0), Angle()
     limits = _limits(cells, moving.kind, unit, place)
-    return Row(
+    return TableRow(
         *(name, moving.kind, none, zero, zero, none, 1, limits, before, axis),
         is_typed=moving.is_typed,
     )

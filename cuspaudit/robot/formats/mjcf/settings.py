@@ -13,7 +13,7 @@ from cuspaudit.robot.formats.elements import Element
 from cuspaudit.robot.formats.mjcf.numbers import ORIENTATIONS
 from cuspaudit.robot.place import Place, quoted
 
-__all__ = ["Settings", "settings"]
+__all__ = ["CompilerSettings", "settings"]
 
 Defaults = Mapping[str, Mapping[str, str]]
 
@@ -23,7 +23,7 @@ _YES = {"true": True, "false": False}
 
 
 @dataclass(frozen=True, slots=True)
-class Settings:
+class CompilerSettings:
     """The settings of a file.
 
     Attributes:
@@ -59,7 +59,7 @@ class Settings:
         return {**around, **own}
 
 
-def settings(root: Element, place: Place) -> Settings:
+def settings(root: Element, place: Place) -> CompilerSettings:
     """The settings of a file; of several compilers the last word counts.
 
     Raises:
@@ -84,7 +84,7 @@ def settings(root: Element, place: Place) -> Settings:
     classes: dict[str, Defaults] = {_MAIN: {tag: {} for tag in _TAGS}}
     for default in root.all("default"):
         _collect(default, {tag: {} for tag in _TAGS}, True, classes, place)
-    return Settings(unit == "degree", sequence, _YES[automatic], classes)
+    return CompilerSettings(unit == "degree", sequence, _YES[automatic], classes)
 
 
 def _collect(

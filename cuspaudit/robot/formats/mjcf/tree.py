@@ -24,7 +24,7 @@ from cuspaudit.robot.formats.mjcf.numbers import (
     turn_of_z,
     vector,
 )
-from cuspaudit.robot.formats.mjcf.settings import Settings
+from cuspaudit.robot.formats.mjcf.settings import CompilerSettings
 from cuspaudit.robot.formats.tree import Tree
 from cuspaudit.robot.formats.urdf.numbers import Limits
 from cuspaudit.robot.place import Place, quoted
@@ -61,7 +61,7 @@ class MjcfJoint:
 
 
 def tree_from_elements(
-    root: Element, settings: Settings, place: Place
+    root: Element, settings: CompilerSettings, place: Place
 ) -> Tree[MjcfJoint]:
     """The tree below the world.
 
@@ -81,7 +81,7 @@ def tree_from_elements(
 class _Builder:
     """Walks down the bodies."""
 
-    def __init__(self, settings: Settings, place: Place) -> None:
+    def __init__(self, settings: CompilerSettings, place: Place) -> None:
         self.settings = settings
         self.place = place
         self.above: dict[str, MjcfJoint] = {}

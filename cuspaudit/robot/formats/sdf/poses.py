@@ -25,14 +25,14 @@ from cuspaudit.robot.formats.mjcf.numbers import quaternion_turns
 from cuspaudit.robot.numbers import parse_decimal, printed_decimals
 from cuspaudit.robot.place import Place, quoted
 
-__all__ = ["MODEL", "Poses", "Stand", "poses"]
+__all__ = ["MODEL", "FramePlace", "Poses", "poses"]
 
 MODEL = "__model__"
 _FORMATS = ("", "euler_rpy", "quat_xyzw")
 
 
 @dataclass(frozen=True, slots=True)
-class Stand:
+class FramePlace:
     """How one of them stands: by ``motions``, left to right, from ``on``."""
 
     on: str
@@ -48,7 +48,7 @@ class Poses:
         attached: frame to the link or frame that it is fixed on.
     """
 
-    stands: Mapping[str, Stand]
+    stands: Mapping[str, FramePlace]
     attached: Mapping[str, str]
 
     def between(self, first: str, second: str) -> tuple[Motion, ...]:
@@ -85,7 +85,7 @@ def poses(model: Element, place: Place) -> Poses:
         InvalidRobotError: a pose cannot be read, a name is missing, stands twice or
             is unknown, or poses form a loop.
     """
-    stands: dict[str, Stand] = {}
+    stands: dict[str, FramePlace] = {}
     attached: dict[str, str] = {}
     elements = list(model.all("link", "joint", "frame"))
     for element in elements:
@@ -107,11 +107,11 @@ def poses(model: Element, place: Place) -> Poses:
     return Poses(stands, attached)
 
 
-def _stand(element: Element, usual: str, place: Place) -> Stand:
+def _stand(element: Element, usual: str, place: Place) -> FramePlace:
     """The pose of an element, in the frame it names or the usual one."""
     pose = element.one("pose")
     if pose is None:
-        return Stand(usual, ())
+        return FramePlace(usual, ())
     here = place.at("pose")
     on = pose.attributes.get("relative_to") or pose.attributes.get("frame") or usual
     form = pose.attributes.get("rotation_format", "")
@@ -137,7 +137,7 @@ def _stand(element: Element, usual: str, place: Place) -> Stand:
             for axis, angle in quaternion_turns((w, a, b, c), here)
             if not angle.is_zero
         ]
-        return Stand(on, tuple(motions))
+        return FramePlace(on, tuple(motions))
     degrees = pose.attributes.get("degrees", "false").strip() in ("true", "1")
     for k, axis in ((2, Z_AXIS), (1, Y_AXIS), (0, X_AXIS)):
         if turn[k]:
@@ -147,12 +147,12 @@ def _stand(element: Element, usual: str, place: Place) -> Stand:
                 continue
             own = decimals[3 + k :][:1]
             motions.append(Rotation(axis, Angle(radians=turn[k]), source, own))
-    return Stand(on, tuple(motions))
+    return FramePlace(on, tuple(motions))
 
 
 def _check(
     element: Element,
-    stands: Mapping[str, Stand],
+    stands: Mapping[str, FramePlace],
     attached: Mapping[str, str],
     place: Place,
 ) -> None:
