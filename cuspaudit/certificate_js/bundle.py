@@ -12,7 +12,7 @@ from importlib.resources import files
 __all__ = ["checker_script"]
 
 MODULES = (
-    *("rational", "json", "interval", "jet", "arm", "play", "certificate"),
+    *("rational", "json", "interval", "jet", "boxes", "arm", "play", "certificate"),
     *("path", "structure", "pairs", "cusp", "check"),
 )
 """Each after those that it imports."""

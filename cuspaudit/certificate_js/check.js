@@ -6,7 +6,7 @@ import { proveCusp } from "./cusp.js";
 import { isLoose } from "./play.js";
 import { provePairs } from "./pairs.js";
 import { provePath } from "./path.js";
-import { Refusal } from "./rational.js";
+import { Refusal, demand } from "./rational.js";
 import { proveStructure } from "./structure.js";
 
 /** Checks the text of a certificate: {accepted, reason}, the reason a sentence. */
@@ -15,6 +15,7 @@ export function checkCertificate(text) {
     return { accepted: true, reason: prove(readCertificate(text)) };
   } catch (error) {
     if (error instanceof Refusal) return { accepted: false, reason: error.message };
+    if (error instanceof SyntaxError) return { accepted: false, reason: `not JSON (${error.message})` };
     if (error instanceof RangeError) return { accepted: false, reason: "too large to be checked" };
     throw error;
   }
@@ -23,7 +24,7 @@ export function checkCertificate(text) {
 function prove(certificate) {
   // a noncuspidal robot is noncuspidal within any limits: only yes has to be inside
   const { kind, robot } = certificate, loose = isLoose(robot);
-  if (loose && kind === "structure") throw new Refusal("relations hold for one robot, not for every one");
+  demand(!loose || kind !== "structure", "relations hold for one robot, not for every one");
   const proofs = { path: provePath, cusp: proveCusp, pairs: provePairs, structure: proveStructure };
   return `${proofs[kind](certificate)}, for ${loose ? "every robot of the play" : "these numbers"}`;
 }

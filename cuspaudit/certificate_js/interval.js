@@ -1,22 +1,18 @@
 // Intervals [l, h] of floating-point numbers, every result rounded outwards.
-//
 // ECMAScript fixes + - * / on numbers as those of IEEE 754, rounded to nearest. The next
 // number above a result x is at most x + ulp(x), and ulp(x) <= |x| 2^-52 or the smallest
-// positive number: x + (|x| 2^-52 + smallest), rounded, is not below it, as rounding keeps
-// order. So `up` of a rounded result is an upper bound of the exact one, `down` a lower.
-// Math.sqrt, Math.sin, ** and their like are not fixed by the standard: no proof uses one.
-//
+// positive number; rounding keeps order. So `up` of a rounded result is an upper bound of
+// the exact one, `down` a lower. Math.sqrt, Math.sin, ** are not fixed: no proof uses one.
 // Overflow gives infinities and NaN. Every test below is written so that NaN fails it.
 
-import { Rational, Refusal, ratio } from "./rational.js";
+import { Rational, demand, ratio } from "./rational.js";
 
-const RELATIVE = Number.EPSILON; // 2^-52
-const SMALLEST = Number.MIN_VALUE;
-
-const up = (x) => x + (Math.abs(x) * RELATIVE + SMALLEST);
-const down = (x) => x - (Math.abs(x) * RELATIVE + SMALLEST);
+const up = (x) => x + (Math.abs(x) * Number.EPSILON + Number.MIN_VALUE); // 2^-52, smallest
+const down = (x) => -up(-x);
 
 export const interval = (l, h = l) => ({ l, h });
+export const NOUGHT = interval(0);
+export const around = (r) => interval(-r, r);
 const isPoint = (a, x) => a.l === x && a.h === x;
 export const isZero = (a) => a.l === 0 && a.h === 0;
 export const isPositive = (a) => a.l > 0 && a.h >= a.l;
@@ -37,11 +33,9 @@ export function sum(a, b) {
 export const difference = (a, b) => sum(a, negated(b));
 
 export function product(a, b) {
-  if (isPoint(a, 1)) return b;
-  if (isPoint(b, 1)) return a;
-  if (isPoint(a, -1)) return negated(b);
-  if (isPoint(b, -1)) return negated(a);
-  if (isZero(a) || isZero(b)) return interval(0);
+  if (isPoint(b, 1) || isPoint(b, -1)) [a, b] = [b, a];
+  if (isPoint(a, 1) || isPoint(a, -1)) return a.l > 0 ? b : negated(b);
+  if (isZero(a) || isZero(b)) return NOUGHT;
   const [p, q, r, s] = [a.l * b.l, a.l * b.h, a.h * b.l, a.h * b.h];
   return interval(down(Math.min(p, q, r, s)), up(Math.max(p, q, r, s)));
 }
@@ -52,16 +46,27 @@ export function quotient(a, b) {
   return product(a, interval(down(1 / b.h), up(1 / b.l)));
 }
 
+/** The sum of many, k times an interval, and the sum of products of two rows. */
+export const total = (terms) => terms.reduce(sum, NOUGHT);
+export const scaled = (k, a) => product(interval(k), a);
+export const inner = (u, v) => total(u.map((x, i) => product(x, v[i])));
+
+/** The squares of the members. */
+export function square(a) {
+  const r = interval(magnitude(a));
+  return interval(Math.max(product(a, a).l, 0), product(r, r).h);
+}
+
 /** The interval with ends moved outwards by r >= 0. */
 export const widened = (a, r) => interval(down(a.l - r), up(a.h + r));
 
 /** The smallest interval with floating-point ends that holds a rational number. */
 export function enclosed(number) {
-  if (number.isZero) return interval(0);
+  if (number.isZero) return NOUGHT;
   if (number.n < 0n) return negated(enclosed(number.negative));
   const { n, d } = number;
   let shift = 52 - (length(n) - length(d));
-  if (Math.abs(shift) > 900) throw new Refusal("a number is out of all proportion");
+  demand(Math.abs(shift) <= 900, "a number is out of all proportion");
   const scaled = (k) => (k > 0 ? [n << BigInt(k), d] : [n, d << BigInt(-k)]);
   let [a, b] = scaled(shift);
   if (a < b << 52n) [a, b] = scaled(++shift);
@@ -71,74 +76,48 @@ export function enclosed(number) {
   return interval(Number(below) * scale, Number(above) * scale);
 }
 
-/** 2^k for |k| <= 1022, exactly. */
+/** 2^k for |k| <= 1022: all factors and products are powers of two, so exact. */
 export function powerOfTwo(k) {
-  let [value, base] = [1, k < 0 ? 0.5 : 2];
-  for (let rest = Math.abs(k); rest > 0; rest = Math.floor(rest / 2)) {
-    if (rest % 2 === 1) value *= base;
-    base *= base;
-  }
-  return value;
+  if (k === 0) return 1;
+  const half = powerOfTwo(Math.trunc(k / 2));
+  return half * half * (k % 2 === 0 ? 1 : k < 0 ? 0.5 : 2);
 }
 
 const length = (n) => n.toString(2).length;
 
 /** The roots of the members of an interval that have one; NaN if that is not found. */
 export function rootOf({ l, h }) {
-  if (h <= 0) return interval(0);
-  let [low, high] = [l > 0 ? Math.sqrt(l) : 0, Math.sqrt(h)]; // proposals, proved below
-  for (let tries = 0; tries < 9 && l > 0 && !(up(low * low) <= l); tries++) low = down(low);
-  for (let tries = 0; tries < 9 && !(down(high * high) >= h); tries++) high = up(high);
-  const holds = (low === 0 || up(low * low) <= l) && down(high * high) >= h;
-  return holds ? interval(low, high) : interval(NaN);
+  if (h <= 0) return NOUGHT;
+  const low = l > 0 ? down(down(Math.sqrt(l))) : 0, high = up(up(Math.sqrt(h))); // proved now
+  return (low === 0 || up(low * low) <= l) && down(high * high) >= h ? interval(low, high) : interval(NaN);
 }
 
-/** Rational bounds of pi, by Machin: pi = 16 atan(1/5) - 4 atan(1/239). */
-function boundsOfPi() {
-  const one = 1n << 160n;
-  let error = 0n; // in units of 1 / one; each floor division is off by less than one
-  const arctangent = (m) => {
-    let total = 0n, power = one / m, k = 1n;
-    for (; power > 0n; k += 2n, power /= m * m) {
-      total += k % 4n === 1n ? power / k : -(power / k);
-      error += 3n;
-    }
-    error += 3n; // the alternating rest is less than its first term
-    return total;
-  };
-  const pi = 16n * arctangent(5n) - 4n * arctangent(239n);
-  return [new Rational(pi - 16n * error, one), new Rational(pi + 16n * error, one)];
-}
-
-export const PI_BOUNDS = boundsOfPi();
+/** Pi lies between these two: 3.14159 26535 89793 23846 26433 83279 50288 41971 69399 ... */
+export const PI_BOUNDS = ["69", "70"].map((last) =>
+  Rational.parse(`3.1415926535897932384626433832795028841971${last}`, "pi"));
 export const PI = interval(enclosed(PI_BOUNDS[0]).l, enclosed(PI_BOUNDS[1]).h);
-const HALF_PI = product(PI, interval(0.5));
-const WHOLE = interval(-1, 1);
+const HALF_PI = scaled(0.5, PI), WHOLE = around(1);
 
-/** 1/k! for k = 0, ..., 20, enclosed. */
-const INVERSE_FACTORIALS = [ratio(1)];
-for (let k = 1; k <= 21; k++)
-  INVERSE_FACTORIALS.push(INVERSE_FACTORIALS[k - 1].over(ratio(k)));
-const COEFFICIENTS = INVERSE_FACTORIALS.map(enclosed);
+/** 1/k! for k = 0, ..., 21, enclosed. */
+const inverseFactorial = (k) => (k ? inverseFactorial(k - 1).over(ratio(k)) : ratio(1));
+const COEFFICIENTS = Array.from({ length: 22 }, (_, k) => enclosed(inverseFactorial(k)));
 
 /** Sine and cosine of every angle in an interval of radians. */
 export function sineAndCosine(x) {
   const quarter = Math.round(middle(x) / 1.57);
   if (!(Math.abs(quarter) < 1048576)) return [WHOLE, WHOLE];
-  const y = difference(x, product(interval(quarter), HALF_PI));
-  return turnedByQuarters(nearZero(y), quarter);
+  return turnedByQuarters(nearZero(difference(x, scaled(quarter, HALF_PI))), quarter);
 }
 
 /** Sine and cosine of an interval whose middle is within [-1, 1]; else all of [-1, 1]. */
 function nearZero(y) {
-  if (isZero(y)) return [interval(0), interval(1)];
+  if (isZero(y)) return [NOUGHT, interval(1)];
   const c = middle(y);
   const r = up(Math.max(up(y.h - c), up(c - y.l)));
   if (!(Math.abs(c) <= 1 && r <= 1)) return [WHOLE, WHOLE];
   const [sine, cosine] = atPoint(c);
   // |sin(c + e) - sin c| <= |e cos c| + e^2 / 2, and likewise for the cosine
-  const rest = up(up(r * r) / 2);
-  const reach = (slope) => up(up(r * magnitude(slope)) + rest);
+  const reach = (slope) => up(up(r * magnitude(slope)) + up(up(r * r) / 2));
   return [clamped(widened(sine, reach(cosine))), clamped(widened(cosine, reach(sine)))];
 }
 
@@ -147,7 +126,7 @@ const clamped = (a) => interval(Math.max(a.l, -1), Math.min(a.h, 1));
 /** At one number |c| <= 1: Taylor polynomials of degree 20, remainder at most 1/21!. */
 function atPoint(c) {
   const x = interval(c), square = product(x, x), minus = negated(square);
-  let [odd, even] = [interval(0), COEFFICIENTS[20]];
+  let [odd, even] = [NOUGHT, COEFFICIENTS[20]];
   for (let k = 19; k >= 1; k -= 2) {
     odd = sum(COEFFICIENTS[k], product(minus, odd));
     even = sum(COEFFICIENTS[k - 1], product(minus, even));
@@ -164,8 +143,7 @@ function turnedByQuarters([sine, cosine], quarters) {
 /** Sine and cosine of halfTurns pi + radians; exact at right angles. */
 export function sineAndCosineOf(halfTurns, radians) {
   const quarters = halfTurns.times(ratio(2)).plus(ratio(1, 2)).floor; // nearest
-  const rest = halfTurns.minus(new Rational(quarters, 2n));
-  let angle = product(PI, enclosed(rest));
-  if (!radians.isZero) angle = sum(angle, enclosed(radians));
+  const rest = enclosed(halfTurns.minus(new Rational(quarters, 2n)));
+  const angle = sum(product(PI, rest), enclosed(radians));
   return turnedByQuarters(sineAndCosine(angle), Number(quarters % 4n));
 }

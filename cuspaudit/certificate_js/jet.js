@@ -2,10 +2,12 @@
 // interval. Terms at the end that are exactly 0 are left out; the jet 0 is [].
 // An operation on jets gives jets that hold each result on members of its operands.
 
-import { isZero, interval, negated, product, quotient, sineAndCosine, sum }
+import { NOUGHT, inner, interval, isZero, negated, product, quotient, scaled, sineAndCosine, sum }
   from "./interval.js";
 
 export const constant = (a) => (isZero(a) ? [] : [a]);
+export const term = (jet, k) => jet[k] ?? NOUGHT;
+export const value = (jet) => term(jet, 0);
 export const UNIT = [interval(1)];
 
 export function plus(f, g) {
@@ -19,7 +21,7 @@ export function times(f, g, terms) {
   if (!f.length || !g.length) return [];
   const found = [];
   for (let k = 0; k < Math.min(terms, f.length + g.length - 1); k++) {
-    let total = interval(0);
+    let total = NOUGHT;
     for (let i = Math.max(0, k - g.length + 1); i <= Math.min(k, f.length - 1); i++)
       total = sum(total, product(f[i], g[k - i]));
     found.push(total);
@@ -27,27 +29,16 @@ export function times(f, g, terms) {
   return found;
 }
 
-/** Sine and cosine of a + b t: their k-th derivatives are known, over k!. */
-export function trigonometric(jet, terms) {
-  const [a, b] = [jet[0] ?? interval(0), jet[1] ?? interval(0)];
-  const [s, c] = sineAndCosine(a);
-  if (jet.length > 2) return toSecondOrder(s, c, b, jet[2]);
-  const cycle = [s, c, negated(s), negated(c)];
-  const [sine, cosine] = [[], []];
-  let factor = interval(1);
-  for (let k = 0; k < terms && !isZero(factor); k++) {
-    sine.push(product(cycle[k % 4], factor));
-    cosine.push(product(cycle[(k + 1) % 4], factor));
-    factor = quotient(product(factor, b), interval(k + 1));
+/** Sine and cosine of a jet, from s' = c q' and c' = -s q', term by term. */
+export function trigonometric(q, terms) {
+  const [[s, c], slopes] = [sineAndCosine(value(q)), q.slice(1).map((x, j) => scaled(j + 1, x))];
+  const [sine, cosine] = [[s], [c]];
+  for (let k = 1; k < terms && slopes.length; k++) {
+    const first = slopes.slice(0, k), divisor = interval(k);
+    const next = (other) => quotient(inner(first, other.slice(k - first.length).reverse()), divisor);
+    const both = [next(cosine), negated(next(sine))];
+    sine.push(both[0]);
+    cosine.push(both[1]);
   }
   return [sine, cosine];
-}
-
-/** Sine and cosine of a + b t + d t^2, three terms each. */
-function toSecondOrder(s, c, b, d) {
-  const half = product(product(b, b), interval(0.5));
-  return [
-    [s, product(c, b), sum(product(c, d), negated(product(s, half)))],
-    [c, negated(product(s, b)), negated(sum(product(s, d), product(c, half)))],
-  ];
 }

@@ -1,119 +1,108 @@
 // kind "pairs": three joints, noncuspidal by a look at all pairs of postures of one position.
 // The letters are those of docs/certificate.md.
 
-import { Arm } from "./arm.js";
-import { PI, difference, enclosed, excludesZero, interval, isPositive, magnitude, negated,
-  product, quotient, rootOf, sineAndCosine, sum } from "./interval.js";
+import { Arm, less, sumOf } from "./arm.js";
+import { cover } from "./boxes.js";
+import { NOUGHT, PI, around, difference, enclosed, excludesZero, inner, interval, isPositive,
+  middle, negated, product, quotient, rootOf, scaled, sineAndCosine, square, sum, total } from "./interval.js";
+import { value } from "./jet.js";
 import { withoutPlay } from "./play.js";
-import { Refusal } from "./rational.js";
+import { demand } from "./rational.js";
 import { areSquare, checkRegular } from "./structure.js";
 
 const MOST_BOXES = 200000;
-const NOUGHT = interval(0);
-const two = (x) => product(x, interval(2));
-function square(x) {
-  const r = interval(magnitude(x));
-  return interval(Math.max(product(x, x).l, 0), product(r, r).h);
-}
-const total = (...terms) => terms.reduce(sum, NOUGHT);
+const two = (x) => scaled(2, x);
 
 export function provePairs({ robot, parting, regular }) {
-  if (!robot.joints.every((joint) => joint.turns)) throw new Refusal("a joint slides");
+  demand(robot.joints.every((joint) => joint.turns), "a joint slides");
   const tilted = robot.joints[1].before.some(({ play }) => play && !play[1].isZero);
   const onALine = !tilted && areSquare(withoutPlay(robot), [1, 2]);
   const circles = valueCircles(robot, onALine);
   checkCircles(circles, onALine);
   const parts = { 1: [], "-1": [] };
   for (const number of parting) parts[-onlySign(circles, enclosed(number))].push(enclosed(number));
-  const boxes = cover(circles, onALine, parts);
+  const whole = [interval(0, 6.5), interval(0, 1.625)]; // [0, 2 pi] and [0, pi / 2]
+  const boxes = cover(whole, lieApart(circles, onALine, parts), MOST_BOXES);
   checkRegular(robot, regular);
   return `noncuspidal: no two postures of one position in one aspect, in ${boxes} boxes of pairs`;
 }
 
 /** c = x + y cos t + z sin t by y and z of both entries; N by five coefficients. */
 function valueCircles(robot, onALine) {
-  const arm = new Arm(robot, 1), value = (jet) => jet[0] ?? NOUGHT;
-  const dot = (u, v) => value(arm.dot(u, v)), less = (u, v) => u.map((x, i) => lessJet(x, v[i]));
-  const [one, second, third] = arm.joints;
-  const e = one.axis.n, n = arm.turn(second.before.R, second.axis.n), o = second.before.p;
-  const frame = arm.then(second.before, third.before);
-  const m = arm.turn(frame.R, third.axis.n);
-  const g = less(frame.p, o), h = less(arm.then(frame, arm.tool).p, frame.p);
-  const share = dot(m, h), still = m.map((x) => x.map((y) => product(y, share)));
-  const base = g.map((x, i) => lessJet(x, still[i].map(negated))), swing = less(h, still);
-  const side = arm.cross(m, h);
+  const arm = new Arm(robot, 1), dot = (u, v) => value(arm.dot(u, v));
+  const before = (k) => arm.fixed(robot.joints[k].before), [one, second, third] = arm.joints;
+  const e = one.axis.n, { R, p: o } = before(1), n = arm.turn(R, second.axis.n);
+  const frame = arm.then(before(1), before(2)), m = arm.turn(frame.R, third.axis.n);
+  const g = less(frame.p, o), h = less(arm.then(frame, arm.fixed(robot.tool)).p, frame.p);
+  const still = arm.stretched(m, arm.dot(m, h));
+  const base = sumOf(g, still), swing = less(h, still), side = arm.cross(m, h);
   const G = [sum(dot(base, base), dot(swing, swing)), two(dot(base, swing)), two(dot(base, side))];
-  const A = [dot(n, base), dot(n, swing), dot(n, side)];
+  const [x, y, z] = [dot(n, base), dot(n, swing), dot(n, side)];
   const en = onALine ? NOUGHT : dot(e, n), on = dot(o, n);
   const across = difference(interval(1), square(en));       // |e'|^2
   const back = quotient(difference(dot(o, e), product(on, en)), across);
   const vn = difference(on, product(back, en));             // v . n, v = o - back e
-  const v2 = total(dot(o, o), negated(two(product(back, dot(o, e)))), square(back));
+  const v2 = total([dot(o, o), negated(two(product(back, dot(o, e)))), square(back)]);
   const beside = difference(v2, square(vn));                // |v'|^2
-  if (!isPositive(across) || !isPositive(beside)) throw new Refusal("axes 1 and 2 may meet or be parallel");
-  const length = rootOf(beside), slope = quotient(vn, length);
-  const slant = quotient(en, rootOf(across));
-  const [x, y, z] = A;
+  demand(isPositive(across) && isPositive(beside), "axes 1 and 2 may meet or be parallel");
+  const length = rootOf(beside), slope = quotient(vn, length), slant = quotient(en, rootOf(across));
   return {
-    first: [1, 2].map((k) => sum(quotient(G[k], two(length)), product(slope, A[k]))),
+    first: [y, z].map((w, k) => sum(quotient(G[k + 1], two(length)), product(slope, w))),
     second: onALine ? [NOUGHT, NOUGHT] : [product(slant, y), product(slant, z)],
-    N: [total(G[0], negated(square(x)), negated(product(sum(square(y), square(z)), interval(0.5)))),
+    N: [difference(G[0], sum(square(x), scaled(0.5, sum(square(y), square(z))))),
       difference(G[1], two(product(x, y))), difference(G[2], two(product(x, z))),
-      product(difference(square(z), square(y)), interval(0.5)), negated(product(y, z))],
+      scaled(0.5, difference(square(z), square(y))), negated(product(y, z))],
   };
 }
 
-const lessJet = (a, b) => (!b.length ? a : [difference(a[0] ?? NOUGHT, b[0])]);
+/** Twice the area of two vectors of a plane. */
+const area = ([a, b], [x, y]) => difference(product(a, y), product(b, x));
 
-function checkCircles({ first: [a, b], second: [x, y], N }, onALine) {
-  if (!onALine) {
-    if (!excludesZero(difference(product(a, y), product(b, x)))) throw new Refusal("d may be 0");
-    return;
-  }
-  const still = difference(product(b, N[1]), product(a, N[2]));
-  const moving = difference(two(product(product(a, b), N[3])), product(difference(square(a), square(b)), N[4]));
-  if (!isPositive(sum(square(a), square(b)))) throw new Refusal("c may stand still");
-  if (!excludesZero(still) && !excludesZero(moving)) throw new Refusal("r may be 0 for all h");
+function checkCircles({ first, second, N }, onALine) {
+  if (!onALine) return demand(excludesZero(area(first, second)), "d may be 0");
+  const [a, b] = first.map(square), moving = [two(product(...first)), difference(a, b)];
+  demand(isPositive(sum(a, b)), "c may stand still");
+  const parts = [area(first, N.slice(1, 3)), area(moving, [N[4], N[3]])];
+  return demand(parts.some(excludesZero), "r may be 0 for all u");
 }
 
-/** f = y cos + z sin and its derivative, at an angle with this sine and cosine. */
-const wave = ([y, z], s, c) => sum(product(y, c), product(z, s));
-const slopeOf = ([y, z], s, c) => difference(product(z, c), product(y, s));
+/** f = y cos + z sin at an angle t with this sine and cosine, f' and f''. */
+const wave = ([y, z], [s, c]) => {
+  const f = inner([y, z], [c, s]);
+  return [f, inner([z, negated(y)], [c, s]), negated(f)];
+};
+
+/** The two parts of N at t, each with two derivatives. */
+function wavesOf(N, t) {
+  const [f, slope, bend] = wave(N.slice(3), sineAndCosine(two(t)));
+  return [wave(N.slice(1, 3), sineAndCosine(t)), [f, two(slope), scaled(4, bend)]];
+}
 
 function onlySign({ first, second, N }, t) {
-  const [s, c] = sineAndCosine(t), [s2, c2] = sineAndCosine(two(t));
-  const slope = sum(slopeOf(N.slice(1, 3), s, c), two(slopeOf(N.slice(3), s2, c2)));
-  const radius = total(N[0], wave(N.slice(1, 3), s, c), wave(N.slice(3), s2, c2));
-  const L = sum(square(slopeOf(first, s, c)), square(slopeOf(second, s, c)));
-  if (!isPositive(difference(square(slope), product(interval(4), product(radius, L)))))
-    throw new Refusal("a value of joint 3 is not proved to part aspects");
+  const [one, double] = wavesOf(N, t), slope = sum(one[1], double[1]);
+  const L = total([first, second].map((entry) => square(wave(entry, sineAndCosine(t))[1])));
+  const room = difference(square(slope), scaled(4, product(total([N[0], one[0], double[0]]), L)));
+  demand(isPositive(room), "a value of joint 3 is not proved to part aspects");
   return slope.l > 0 ? 1 : -1;
 }
 
-/** The signs that h may have at both ends of a pair with (m, h) in the box. */
-function commonSigns({ first, second, N }, onALine, m, h) {
-  const [s, c] = sineAndCosine(m), [s2, c2] = sineAndCosine(two(m));
-  const [sigma, cos] = sineAndCosine(h), cos2 = sineAndCosine(two(h))[1];
-  const S = two(total(N[0], product(wave(N.slice(1, 3), s, c), cos), product(wave(N.slice(3), s2, c2), cos2)));
-  const turn = two(slopeOf(N.slice(3), s2, c2));            // N2'(m)
-  const r = sum(slopeOf(N.slice(1, 3), s, c), product(cos, turn));
-  const A = negated(sum(wave(N.slice(1, 3), s, c), product(interval(4), product(cos, wave(N.slice(3), s2, c2)))));
-  const [a, k] = [slopeOf(first, s, c), negated(wave(first, s, c))];
-  const [b, j] = [slopeOf(second, s, c), negated(wave(second, s, c))];
-  const L = sum(square(a), square(b));
-  const B = total(product(two(S), L), negated(square(r)), negated(square(two(product(sigma, L)))));
+/** The signs that h may have at both ends of a pair with (m, u) in the box. */
+function commonSigns({ first, second, N }, onALine, m, u) {
+  const [one, double] = wavesOf(N, m), [sine, cos] = sineAndCosine(u), [, cos2] = sineAndCosine(two(u));
+  const S = two(total([N[0], product(one[0], cos), product(double[0], cos2)])); // N(t) + N(w)
+  const [r, A] = [1, 2].map((k) => sum(one[k], product(cos, double[k])));
+  const [[, a, k], [, b, j]] = [first, second].map((entry) => wave(entry, sineAndCosine(m)));
+  const L = sum(square(a), square(b)), along = inner([a, b], [k, j]);
+  const B = difference(product(two(S), L), sum(square(r), square(two(product(sine, L)))));
   if (B.h < 0) return [];
+  const turn = sum(two(along), double[1]);
   if (onALine) {
-    const reach = rootOf(two(S)).h;
-    const share = excludesZero(a) ? quotient(r, a) : interval(-reach, reach);
-    const even = difference(sum(two(product(cos, L)), product(share, k)), A);
-    return signs(even, product(sigma, sum(two(product(k, a)), turn)));
+    const reach = rootOf(two(S)).h, share = excludesZero(a) ? quotient(r, a) : around(reach);
+    const even = difference(inner([two(cos), share], [L, k]), A);
+    return signs(even, product(sine, turn));
   }
-  const along = sum(product(a, k), product(b, j));
-  const even = total(two(product(cos, square(L))), product(r, along), negated(product(L, A)));
-  const odd = product(product(sigma, L), sum(two(along), turn));
-  const d = difference(product(first[0], second[1]), product(first[1], second[0]));
-  const root = product(rootOf(B), d);
+  const even = difference(inner([two(cos), r], [square(L), along]), product(L, A));
+  const odd = product(product(sine, L), turn), root = product(rootOf(B), area(first, second));
   return [...signs(difference(even, root), odd), ...signs(sum(even, root), odd)];
 }
 
@@ -122,25 +111,21 @@ function signs(even, odd) {
   return [1, -1].filter((sign) => !(sign > 0 ? t.h <= 0 || w.h <= 0 : t.l >= 0 || w.l >= 0));
 }
 
-/** Every box is proved, or halved; returns how many there were. */
-function cover(circles, onALine, parts) {
-  const turns = [-2, -1, 0, 1, 2].map((k) => two(product(PI, interval(k))));
-  const apart = (m, h, sign) => {
-    const [t, w, back] = [difference(m, h), sum(m, h), two(PI)];
+/** Whether in a box of (m, u) no pair of postures is in one aspect. */
+function lieApart(circles, onALine, parts) {
+  const turns = [-2, -1, 0, 1, 2].map((k) => scaled(2 * k, PI));
+  const apart = (m, u, sign) => {
+    const [t, w] = [difference(m, u), sum(m, u)];
     const values = parts[sign].flatMap((v) => turns.map((turn) => sum(v, turn)));
     return values.some((v) => t.h < v.l && v.h < w.l)
-      && values.some((v) => w.h < v.l && v.h < sum(t, back).l);
+      && values.some((v) => w.h < v.l && v.h < sum(t, scaled(2, PI)).l);
   };
-  const proved = (m, h) => commonSigns(circles, onALine, m, h).every((sign) => apart(m, h, sign));
-  const open = [[0, 6.5, 0, 1.625]];
-  for (let count = 0; open.length; ) {
-    const [m0, m1, h0, h1] = open.pop();
-    if (++count > MOST_BOXES) throw new Refusal("too many boxes of pairs");
-    if (proved(interval(m0, m1), interval(h0, h1))) { if (!open.length) return count; continue; }
-    const [m, h] = [(m0 + m1) / 2, (h0 + h1) / 2];
-    if (m1 - m0 < 0.05 && !proved(interval(m), interval(h)))
-      throw new Refusal(`postures near ${m - h} and ${m + h} of joint 3 are not proved to lie apart`);
-    if (m1 - m0 > h1 - h0) open.push([m0, m, h0, h1], [m, m1, h0, h1]);
-    else open.push([m0, m1, h0, h], [m0, m1, h, h1]);
-  }
+  const proved = ([m, u]) => commonSigns(circles, onALine, m, u).every((sign) => apart(m, u, sign));
+  return (box) => {
+    if (proved(box)) return true;
+    const [m, u] = box.map(middle);
+    const hope = box[0].h - box[0].l >= 0.05 || proved([interval(m), interval(u)]);
+    demand(hope, `postures near ${m - u} and ${m + u} of joint 3 are not proved to lie apart`);
+    return false;
+  };
 }

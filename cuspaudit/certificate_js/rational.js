@@ -2,6 +2,7 @@
 
 /** What stops a proof: the claim is false, or could not be proved. */
 export class Refusal extends Error {}
+export const demand = (holds, why) => { if (!holds) throw new Refusal(why); };
 
 const LONGEST_NUMBER = 400;
 
@@ -16,11 +17,10 @@ export class Rational {
   /** The number that a text of the file denotes: an integer, a decimal or p/q. */
   static parse(text, where) {
     const found = /^(-?)([0-9]+)(?:\.([0-9]+)|\/([0-9]+))?$/.exec(text);
-    if (text.length > LONGEST_NUMBER || !found)
-      throw new Refusal(`${where}: no number of a certificate`);
+    demand(text.length <= LONGEST_NUMBER && found, `${where}: no number of a certificate`);
     const [, sign, whole, decimals, below] = found;
     const d = below !== undefined ? BigInt(below) : 10n ** BigInt((decimals ?? "").length);
-    if (d === 0n) throw new Refusal(`${where}: a denominator is 0`);
+    demand(d > 0n, `${where}: a denominator is 0`);
     const n = BigInt(whole + (decimals ?? ""));
     return new Rational(sign ? -n : n, d);
   }
@@ -55,11 +55,7 @@ function commonDivisor(a, b) {
 
 /** floor(sqrt(n)) of an integer n >= 0, by Newton's rule from above. */
 export function integerRoot(n) {
-  if (n < 2n) return n;
-  let x = 1n << BigInt((n.toString(2).length + 1) >> 1);
-  for (;;) {
-    const y = (x + n / x) >> 1n;
-    if (y >= x) return x;
-    x = y;
-  }
+  let [root, next] = [n, (n + 1n) >> 1n];
+  while (next < root) [root, next] = [next, (next + n / next) >> 1n];
+  return root;
 }
