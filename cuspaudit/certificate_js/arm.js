@@ -153,11 +153,22 @@ export class Arm {
     return columns.map((column, k) => [...column, last ? this.dot(screws[k].w, last.w) : []]);
   }
 
-  /** Determinant of a matrix by columns: minors of the first ones, by sets of as many rows. */
+  /** Determinant of a matrix by columns, by Laplace: minors of the two halves of the columns. */
   det(columns) {
-    const minors = columns.reduce((before, column) => {
+    const half = columns.length >> 1, every = (1 << columns.length) - 1, upper = (1 << half) - 1;
+    const [first, last] = [this.minors(columns.slice(0, half)), this.minors(columns.slice(half))];
+    return [...first].reduce((total, [rows, minor]) => {
+      const term = times(minor, last.get(every ^ rows) ?? [], this.terms);
+      // the sign is that of the sum of the rows' numbers, less that of the upper rows
+      return plus(total, bits((rows ^ upper) & 0b101010) % 2 ? minus(term) : term);
+    }, []);
+  }
+
+  /** Minors of all these columns, by sets of as many rows. */
+  minors(columns) {
+    return columns.reduce((minors, column) => {
       const next = new Map();
-      for (const [rows, minor] of before)
+      for (const [rows, minor] of minors)
         column.forEach((entry, i) => {
           if (rows & (1 << i) || !entry.length) return;
           // the entry moves past the rows of the set that come after its own
@@ -166,7 +177,6 @@ export class Arm {
         });
       return next;
     }, new Map([[0, UNIT]]));
-    return minors.get((1 << columns.length) - 1) ?? [];
   }
 }
 

@@ -63,10 +63,8 @@ function readRobot(json) {
 
 const areAxes = (count) => (found) => found.length > 0 && found.every((k, i) =>
   Number.isInteger(k) && k <= count && k > (i ? found[i - 1] : 0));
-const relation = (count) => record({
-  axes: checked(listOf(given), areAxes(count), "numbers of axes, increasing"),
-  are: among("parallel", "square", "meeting", "level"),
-});
+const relation = (count) => record({ are: among("parallel", "square", "meeting", "level"),
+  axes: checked(listOf(given), areAxes(count), "numbers of axes, increasing") });
 const PATHS = ["position", "pose", "position-and-axis"];
 
 /** By kind: the tasks, and the keys for so many joints. */

@@ -27,18 +27,16 @@ class Field {
   constructor(robot, posture) {
     this.arm = new Arm(robot, 3);
     this.farthest = powerOfTwo(isLoose(robot) ? -1 : -24);
-    this.size = robot.joints.length;
-    this.variables = this.size === 3 ? [1, 2] : [1, 2, 3, 4]; // det J depends on no other
-    const sizes = posture.map((_, row) => { this.row = row; return this.largest(posture); });
+    this.variables = robot.joints.length === 3 ? [1, 2] : [1, 2, 3, 4]; // det J depends on no other
+    const largest = (jets) => Math.max(...jets.map((jet) => magnitude(value(jet))));
+    const sizes = posture.map((_, row) => largest(this.kernel(posture.map((x) => [x]), row)));
     this.row = sizes.indexOf(Math.max(...sizes));
   }
 
-  largest(q) { return Math.max(...this.kernel(q.map((x) => [x])).map((jet) => magnitude(value(jet)))); }
-
   /** adj(J) e_r at jets, its entries for the joints that count. */
-  kernel(q) {
+  kernel(q, row = this.row) {
     const columns = this.arm.columns(q);
-    const unit = columns.map((_, i) => (i === this.row ? UNIT : []));
+    const unit = columns.map((_, i) => (i === row ? UNIT : []));
     return columns.map((_, i) => (this.variables.includes(i)
       ? this.arm.det(columns.map((column, j) => (i === j ? unit : column))) : []));
   }

@@ -10,8 +10,7 @@ export class Rational {
   constructor(n, d = 1n) {
     if (d < 0n) [n, d] = [-n, -d];
     const g = commonDivisor(n < 0n ? -n : n, d);
-    this.n = g > 1n ? n / g : n;
-    this.d = g > 1n ? d / g : d;
+    [this.n, this.d] = [n / g, d / g];
   }
 
   /** The number that a text of the file denotes: an integer, a decimal or p/q. */
@@ -36,10 +35,7 @@ export class Rational {
   lessThan(o) { return this.n * o.d < o.n * this.d; }
 
   /** The largest integer that is not larger. */
-  get floor() {
-    const quotient = this.n / this.d;
-    return this.n % this.d < 0n ? quotient - 1n : quotient;
-  }
+  get floor() { return this.n / this.d - (this.n % this.d < 0n ? 1n : 0n); }
 
   toString() { return this.d === 1n ? `${this.n}` : `${this.n}/${this.d}`; }
 }
