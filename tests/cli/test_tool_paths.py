@@ -63,7 +63,13 @@ def test_an_interrupted_trace_leaves_no_file(tmp_path: Path) -> None:
     command = [sys.executable, "-m", "cuspaudit", "trace", "chablat-2022-3r"]
     command += ["long.csv", "--json", "long.json", "--html", "long.html"]
     with subprocess.Popen(
-        command, cwd=tmp_path, stderr=subprocess.PIPE, text=True, env=dict(os.environ)
+        command,
+        cwd=tmp_path,
+        stderr=subprocess.PIPE,
+        text=True,
+        env=dict(os.environ),
+        # a background shell hands down an ignored SIGINT
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
     ) as running:
         with pytest.raises(subprocess.TimeoutExpired):
             running.wait(timeout=4)
