@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import shlex
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from fractions import Fraction
@@ -11,13 +10,7 @@ from pathlib import Path
 from cuspaudit.errors import UnsupportedJointError
 from cuspaudit.robot.chain import Chain, Joint, JointKind, Motion
 from cuspaudit.robot.coupling import Coupling, uncoupled
-from cuspaudit.robot.formats.choice import (
-    Build,
-    Candidate,
-    candidates,
-    chains_beside,
-    choose_chain,
-)
+from cuspaudit.robot.formats.choice import Build, Candidate
 from cuspaudit.robot.formats.elements import Element, read_elements
 from cuspaudit.robot.formats.format import MOST_JOINTS
 from cuspaudit.robot.formats.mjcf.elements import MJCF_KINDS
@@ -25,9 +18,10 @@ from cuspaudit.robot.formats.mjcf.numbers import numbers
 from cuspaudit.robot.formats.mjcf.settings import settings
 from cuspaudit.robot.formats.mjcf.tree import WORLD, MjcfJoint, tree_from_elements
 from cuspaudit.robot.formats.tree import Tree
+from cuspaudit.robot.formats.tree_robot import chains_of_tree, robot_from_tree
 from cuspaudit.robot.place import Place, quoted
 from cuspaudit.robot.robot import Robot
-from cuspaudit.robot.task import check_limits, default_task, parse_task
+from cuspaudit.robot.task import default_task, parse_task
 
 __all__ = ["mjcf_candidates", "read_mjcf"]
 
@@ -54,18 +48,7 @@ def read_mjcf(
     """
     path = Path(path)
     tree, build = _opened(path, task)
-    notes: list[str] = []
-    base = base or tree.choose_base(tip, notes)
-    tree.check_link(base)
-    chain, remarks = choose_chain(tree, build, base, tip)
-    notes = [note for note in notes if quoted(WORLD) not in note]
-    notes += [*remarks, *check_limits(chain, tree.place)]
-    marks = tree.marks.get(chain.tip, ())
-    if marks and chain.task != "pose":
-        way = shlex.quote(marks[0])
-        notes.append(f"sites on {quoted(chain.tip)} may be the tip: --tip {way}")
-    beside = chains_beside(tree, build, chain)
-    return Robot(chain.name, str(path), chain, notes=tuple(notes), beside=beside)
+    return robot_from_tree(path, tree, build, base, tip, world=WORLD, marks_are="sites")
 
 
 def mjcf_candidates(
@@ -77,10 +60,7 @@ def mjcf_candidates(
         InvalidRobotError: the file is not an MJCF model, or several bodies may be its
             base.
     """
-    tree, build = _opened(Path(path), None)
-    base = base or tree.choose_base(None, [])
-    tree.check_link(base)
-    return candidates(tree, build, base, most)
+    return chains_of_tree(*_opened(Path(path), None), base, most)
 
 
 def _opened(path: Path, task: str | None) -> tuple[Tree[MjcfJoint], Build]:

@@ -8,7 +8,6 @@ between them only carry those of the joints.
 
 from __future__ import annotations
 
-import shlex
 from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
@@ -17,24 +16,19 @@ from cuspaudit.errors import UnsupportedJointError
 from cuspaudit.robot.axes import scaled_axis, unit_axis
 from cuspaudit.robot.chain import Angle, Chain, Joint, JointKind, Motion, Rotation
 from cuspaudit.robot.coupling import Coupling, uncoupled
-from cuspaudit.robot.formats.choice import (
-    Build,
-    Candidate,
-    candidates,
-    chains_beside,
-    choose_chain,
-)
+from cuspaudit.robot.formats.choice import Build, Candidate
 from cuspaudit.robot.formats.elements import Element, read_elements
 from cuspaudit.robot.formats.format import MOST_JOINTS
 from cuspaudit.robot.formats.sdf.elements import SDF_KINDS
 from cuspaudit.robot.formats.sdf.poses import MODEL, Poses, poses
 from cuspaudit.robot.formats.sdf.tree import WORLD, SdfJoint, tree_from_model
 from cuspaudit.robot.formats.tree import Tree
+from cuspaudit.robot.formats.tree_robot import chains_of_tree, robot_from_tree
 from cuspaudit.robot.formats.urdf.numbers import Limits
 from cuspaudit.robot.numbers import parse_decimal, printed_decimals
 from cuspaudit.robot.place import Place, listing, quoted
 from cuspaudit.robot.robot import Robot
-from cuspaudit.robot.task import check_limits, default_task, parse_task
+from cuspaudit.robot.task import default_task, parse_task
 
 __all__ = ["read_sdf", "sdf_candidates"]
 
@@ -67,19 +61,10 @@ def read_sdf(
         UnsupportedJointError: a joint on the chain has no exact model here.
     """
     path = Path(path)
-    notes: list[str] = []
     tree, build = _opened(path, task)
-    base = base or tree.choose_base(tip, notes)
-    tree.check_link(base)
-    chain, remarks = choose_chain(tree, build, base, tip)
-    notes = [note for note in notes if quoted(WORLD) not in note]
-    notes += [*remarks, *check_limits(chain, tree.place)]
-    marks = tree.marks.get(chain.tip, ())
-    if marks and chain.task != "pose":
-        way = shlex.quote(marks[0])
-        notes.append(f"frames on {quoted(chain.tip)} may be the tip: --tip {way}")
-    beside = chains_beside(tree, build, chain)
-    return Robot(chain.name, str(path), chain, notes=tuple(notes), beside=beside)
+    return robot_from_tree(
+        path, tree, build, base, tip, world=WORLD, marks_are="frames"
+    )
 
 
 def sdf_candidates(
@@ -91,10 +76,7 @@ def sdf_candidates(
         InvalidRobotError: the file is not an SDF model, or several links may be its
             base.
     """
-    tree, build = _opened(Path(path), None)
-    base = base or tree.choose_base(None, [])
-    tree.check_link(base)
-    return candidates(tree, build, base, most)
+    return chains_of_tree(*_opened(Path(path), None), base, most)
 
 
 def _opened(path: Path, task: str | None) -> tuple[Tree[SdfJoint], Build]:

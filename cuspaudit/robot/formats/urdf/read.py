@@ -14,22 +14,17 @@ from pathlib import Path
 from cuspaudit.errors import UnsupportedJointError
 from cuspaudit.robot.chain import Chain, Joint, JointKind, Motion, Translation
 from cuspaudit.robot.coupling import Coupling, uncoupled
-from cuspaudit.robot.formats.choice import (
-    Build,
-    Candidate,
-    candidates,
-    chains_beside,
-    choose_chain,
-)
+from cuspaudit.robot.formats.choice import Build, Candidate
 from cuspaudit.robot.formats.format import MOST_JOINTS
 from cuspaudit.robot.formats.tree import Tree
+from cuspaudit.robot.formats.tree_robot import chains_of_tree, robot_from_tree
 from cuspaudit.robot.formats.urdf.numbers import axis, limits, origin
 from cuspaudit.robot.formats.urdf.tree import tree_from_robot
 from cuspaudit.robot.formats.urdf.xml import JointElement, read_xml
 from cuspaudit.robot.numbers import parse_decimal
 from cuspaudit.robot.place import Place, quoted
 from cuspaudit.robot.robot import Robot
-from cuspaudit.robot.task import check_limits, default_task, parse_task
+from cuspaudit.robot.task import default_task, parse_task
 
 __all__ = ["read_urdf", "urdf_candidates"]
 
@@ -63,16 +58,9 @@ def read_urdf(
     """
     path = Path(path)
     tree, name = _opened(path)
-    notes: list[str] = []
-    if base is None:
-        base = tree.choose_base(tip, notes)
-    tree.check_link(base)
     build = _builder(tree, name, task)
-    chain, remarks = choose_chain(tree, build, base, tip)
-    notes += [*remarks, *check_limits(chain, tree.place), *_scale_notes(chain)]
-    beside = chains_beside(tree, build, chain)
-    return Robot(
-        chain.name, str(path), chain, urdf=path, notes=tuple(notes), beside=beside
+    return robot_from_tree(
+        path, tree, build, base, tip, urdf=path, remarks_on=_scale_notes
     )
 
 
@@ -85,9 +73,7 @@ def urdf_candidates(
         InvalidRobotError: the file is not a URDF, or several links may be its base.
     """
     tree, name = _opened(Path(path))
-    base = base or tree.choose_base(None, [])
-    tree.check_link(base)
-    return candidates(tree, _builder(tree, name, None), base, most)
+    return chains_of_tree(tree, _builder(tree, name, None), base, most)
 
 
 def _opened(path: Path) -> tuple[Tree[JointElement], str]:
