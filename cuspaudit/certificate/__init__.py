@@ -26,9 +26,9 @@ from cuspaudit.certificate.model import (
     Tolerance,
     Translate,
     Word,
-    check_certificate,
     printable,
 )
+from cuspaudit.certificate.well_formed import check_certificate
 
 __all__ = [
     "Certificate",

@@ -20,9 +20,9 @@ from cuspaudit.certificate.model import (
     PairsCertificate,
     PathCertificate,
     StructureCertificate,
-    check_certificate,
     is_loose,
 )
+from cuspaudit.certificate.well_formed import check_certificate
 
 __all__ = ["KindProof", "Verification", "verify"]
 

@@ -63,10 +63,10 @@ from cuspaudit.certificate.model import (
     PathCertificate,
     StructureCertificate,
     Translate,
-    check_certificate,
 )
 from cuspaudit.certificate.reading import SCHEMA, Place, certificate_from_json
 from cuspaudit.certificate.structure.exact import text_from_fraction
+from cuspaudit.certificate.well_formed import check_certificate
 
 __all__ = [
     "certificate_from_text",

@@ -6,7 +6,7 @@ index that a constraint excludes keeps its number and has no member.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from math import prod
@@ -131,7 +131,9 @@ class Family:
         for (number, column, part), expression in self.cells.items():
             text = exact_text(expression.value(known))
             if column == "limits":
-                pair = list(rows[number]["limits"])  # type: ignore[call-overload] # a list, see cells
+                limits = rows[number]["limits"]
+                assert isinstance(limits, Sequence), "as the cells were found"
+                pair = list(limits)
                 pair[part] = text
                 rows[number]["limits"] = pair
             else:

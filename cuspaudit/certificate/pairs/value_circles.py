@@ -101,7 +101,7 @@ def value_circles(certificate: Certificate, is_square: bool) -> ValueCircles:
     if not across > 0:
         raise Refusal("axes 1 and 2 are not proved to be not parallel")
     back = -shift / across
-    v: Row[arb] = tuple(plus(a, times(b, back)) for a, b in zip(o, e, strict=True))  # type: ignore[assignment]
+    v = _more(o, _scaled(e, back))
     beside = _value(minus(dot(v, v), _squared(dot(v, n))))
     if not beside > 0:
         raise Refusal("axes 1 and 2 are not proved not to meet")
@@ -118,8 +118,8 @@ def value_circles(certificate: Certificate, is_square: bool) -> ValueCircles:
 def _waves(n: Row[arb], g: Row[arb], m: Row[arb], h: Row[arb]) -> tuple[Wave, Wave]:
     """|G|^2 and n.G for G = g + h turned about m by t."""
     share = dot(m, h)
-    still: Row[arb] = tuple(times(x, share) for x in m)  # type: ignore[assignment]
-    base: Row[arb] = tuple(map(plus, g, still))  # type: ignore[assignment]
+    still = _scaled(m, share)
+    base = _more(g, still)
     swing, side = _less(h, still), cross(m, h)
     squared = (
         _value(plus(dot(base, base), dot(swing, swing))),
@@ -140,6 +140,14 @@ def _radius(squared: Wave, along: Wave) -> tuple[arb, arb, arb, arb, arb]:
         (z * z - y * y) / 2,
         -y * z,
     )
+
+
+def _scaled(a: Row[arb], factor: arb | None) -> Row[arb]:
+    return times(a[0], factor), times(a[1], factor), times(a[2], factor)
+
+
+def _more(a: Row[arb], b: Row[arb]) -> Row[arb]:
+    return plus(a[0], b[0]), plus(a[1], b[1]), plus(a[2], b[2])
 
 
 def _less(a: Row[arb], b: Row[arb]) -> Row[arb]:

@@ -72,10 +72,11 @@ def _is_small(node: ast.BinOp) -> bool:
     """Whether an operation makes no huge number or text."""
     if isinstance(node.op, ast.Pow):
         power = node.right
-        number = isinstance(power, ast.Constant) and isinstance(
-            power.value, int | float
+        return (
+            isinstance(power, ast.Constant)
+            and isinstance(power.value, int | float)
+            and abs(power.value) <= _LARGEST_POWER
         )
-        return number and abs(power.value) <= _LARGEST_POWER  # type: ignore
     if isinstance(node.op, ast.LShift):
         return False
     if not isinstance(node.op, ast.Mult):
