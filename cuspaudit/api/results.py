@@ -249,8 +249,7 @@ class Audit(Decided):
         """
         from cuspaudit.pictures.page import page_text
 
-        found = self._found
-        write_text(Path(file), page_text(self._record, found, certificate_text(found)))
+        write_text(Path(file), page_text(self._record, self._found))
 
     def save_certificate(self, file: str | os.PathLike[str]) -> None:
         """Write what proves the verdict; `verify` reads it.

@@ -120,7 +120,7 @@ def _made(slug: str, robot: Robot, arm: AtlasArm) -> Made:
     entry = entry_from_record(slug, Path(arm.source).name, record, kind, drawn)
     return Made(
         entry,
-        page_text(record, result, proof),
+        page_text(record, result),
         proof or "",
         json.dumps(record, indent=1, allow_nan=False) + "\n",
     )

@@ -148,7 +148,7 @@ def audit(
             *(within, exit_zero),
         )
     result = run_audit(opened, seed, timeout, snap, engine.value, tolerance)
-    proof = certificate_text(result, within) if certificate or html else None
+    proof = certificate_text(result, within) if certificate else None
     written = str(certificate) if certificate and proof else None
     which = 1 if within else 2 if is_of_many_arms(result) else 0
     record = result.record(*(written if k == which else None for k in range(3)))
@@ -161,9 +161,7 @@ def audit(
 
         if result.within is not None:
             record["limits"]["cuts"] = cuts_of(result)
-        inside = result.within is not None and result.within.witness is not None
-        shown = certificate_text(result, within=True) if inside else proof
-        write_text(html, page_text(record, result, shown))
+        write_text(html, page_text(record, result))
     if write_json(json_file, record):
         kept = {"page": html, "certificate": written, "JSON": json_file}
         if certificate and not proof:

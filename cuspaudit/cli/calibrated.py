@@ -44,7 +44,7 @@ def audit_with_calibration(
     with progress_bar(STEPS) as step:
         options = Options(seed, timeout, step, policy_from_name(snap))
         result = audit_calibrated(robot, given, options)
-    proof = certificate_text(result.built, within)
+    proof = certificate_text(result.built, within) if certificate else None
     written = str(certificate) if certificate and proof else None
     record = result.record(*((None, written) if within else (written, None)))
     built = record["calibrated"]
@@ -54,7 +54,7 @@ def audit_with_calibration(
     if html:
         from cuspaudit.pictures.page import page_text
 
-        write_text(html, page_text(built, result.built, proof))
+        write_text(html, page_text(built, result.built))
     if write_json(json_file, record):
         _print(record, {"page": html, "certificate": written, "JSON": json_file})
     asked = built["limits"] if within and built["limits"] else record

@@ -59,7 +59,6 @@ def _indices(files: Mapping[int, str], wanted: Sequence[str]) -> list[int]:
 
 
 def _audit(folder: Path, index: int, text: str) -> None:
-    from cuspaudit.auditing.proofs.certificates import certificate_text
     from cuspaudit.pictures.page import page_text
     from cuspaudit.robot.library import open_robot
     from cuspaudit.runtime.writing import write_text
@@ -68,7 +67,7 @@ def _audit(folder: Path, index: int, text: str) -> None:
     file.parent.mkdir(exist_ok=True)
     write_text(file, text)
     result = run_audit(open_robot(file), 0, None, "none")
-    page = page_text(result.record(), result, certificate_text(result))
+    page = page_text(result.record(), result)
     write_text(_page(folder, index), page)
 
 

@@ -41,7 +41,6 @@ def show(
     seed: Seed = 0,
 ) -> None:
     """Show the witness path in a browser, or the postures of one pose."""
-    from cuspaudit.auditing.proofs.certificates import certificate_text
     from cuspaudit.pictures.page import page_text
     from cuspaudit.robot.formats.registry import format_of
     from cuspaudit.runtime.writing import check_writable, write_text
@@ -62,7 +61,7 @@ def show(
         )
     opened = open_named(source, reading)
     result = run_audit(opened, seed, None, snap)
-    page = page_text(result.record(), result, certificate_text(result))
+    page = page_text(result.record(), result)
     if html:
         write_text(html, page)
         typer.echo(f"page: {html}")

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
+from cuspaudit.auditing.proofs.certificates import certificate_text
 from cuspaudit.auditing.record import FinishedAudit
 from cuspaudit.pictures.postures import shown_postures
 from cuspaudit.robot.formats.urdf.visuals import visuals
@@ -14,15 +15,15 @@ from cuspaudit.viz import build_scene, render_page, sample_path, sample_postures
 __all__ = ["page_text"]
 
 
-def page_text(
-    record: Mapping[str, Any], result: FinishedAudit, proof: str | None
-) -> str:
+def page_text(record: Mapping[str, Any], result: FinishedAudit) -> str:
     """The offline page: the witness path, or the postures of one pose.
+
+    It gives away the certificate of what it shows: of the path within the limits where
+    it shows that.
 
     Args:
         record: the JSON of ``result``.
         result: the audit.
-        proof: its certificate, which the page gives away, or None.
     """
     chain = result.shown_chain
     own = len(chain.joints)
@@ -37,4 +38,6 @@ def page_text(
         visuals(result.robot, [share] if share else []) if result.robot.urdf else ()
     )
     scene = build_scene(chain, frames, shapes)
+    inside = result.within is not None and result.within.witness is not None
+    proof = certificate_text(result, within=inside)
     return render_page(record, scene, certificate=proof)

@@ -109,13 +109,21 @@ class _Tree(dict[str, Any]):
 
 
 def _certificate(audit: Mapping[str, Any], text: str | None) -> dict[str, str] | None:
-    """Name, command and download link of the certificate, as far as there is one."""
-    given = part(audit, "witness").get("certificate")
+    """Name, command and download link of the certificate, as far as there is one.
+
+    It is that of the witness within the limits where there is one, as that is shown.
+    """
+    inside = part(audit, "limits").get("witness")
+    over = part(audit, "tolerance").get("certificate")
+    free = over or part(audit, "witness").get("certificate")
+    given = inside.get("certificate") if inside else free
     if not given and text is None:
         return None
     robot = part(audit, "robot").get("name") or "robot"
     plain = re.sub(r"[^A-Za-z0-9._-]+", "-", str(robot)).strip("-.") or "robot"
-    name = re.split(r"[\\/]", str(given))[-1] if given else f"{plain}.certificate.json"
+    of_what = ".within-limits" if inside else ""
+    own = f"{plain}{of_what}.certificate.json"
+    name = re.split(r"[\\/]", str(given))[-1] if given else own
     shown = name if re.fullmatch(r"[A-Za-z0-9._-]+", name) else f"'{name}'"
     link = _data_link(text) if text is not None else ""
     return {"name": name, "command": f"cuspaudit verify {shown}", "link": link}

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import base64
 import json
 import re
 from pathlib import Path
@@ -131,9 +132,18 @@ def test_the_witness_within_limits_stays_inside_them(tmp_path: Path) -> None:
     limited = text.replace("d: 1}", "d: 1, limits: [-170 deg, 170 deg]}", 1)
     limited = limited[: limited.index("expect:")]
     (tmp_path / "arm.yaml").write_text(limited)
-    within = cu.audit(cu.load(tmp_path / "arm.yaml")).within_limits
+    found = cu.audit(cu.load(tmp_path / "arm.yaml"))
+    within = found.within_limits
     assert within is not None
     assert within.verdict == "cuspidal"
     assert within.witness is not None
     assert np.all(np.abs(within.witness.path[:, 1]) < np.radians(170))
     assert len(set(np.sign(within.witness.determinants(50)))) == 1
+    # the page shows that path, and gives away the certificate of it
+    found.save_html(tmp_path / "arm.html")
+    page = (tmp_path / "arm.html").read_text()
+    assert "cuspaudit verify chablat-2022-3r.within-limits.certificate.json" in page
+    links = re.findall(r"data:application/json;base64,([A-Za-z0-9+/=]+)", page)
+    texts = [json.loads(base64.b64decode(link)) for link in links]
+    [kept] = [t for t in texts if t["schema"].startswith("cuspaudit/certificate")]
+    assert kept["limits"][1] is not None

@@ -43,7 +43,7 @@ def test_the_record_speaks_of_the_robots_own_joints(five: FinishedAudit) -> None
 
 def test_the_page_shows_the_robots_own_joints(five: FinishedAudit) -> None:
     """The virtual joint is not drawn; what is claimed of the tool is said."""
-    page = page_text(five.record(), five, None)
+    page = page_text(five.record(), five)
     assert "position with its z axis in the same direction" in page
     assert "joint_5" in page
     assert "joint_6" not in page

@@ -12,7 +12,6 @@ from axe_playwright_python.sync_playwright import Axe
 from drawn_arms import crx_urdf
 from visits import PHONE, Visit, wait_until
 
-from cuspaudit.auditing.proofs.certificates import certificate_text
 from cuspaudit.cli.running import run_audit
 from cuspaudit.pictures.page import page_text
 from cuspaudit.robot.library import open_robot
@@ -32,7 +31,7 @@ def pages(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
     files = {}
     for name, source in sources.items():
         result = run_audit(open_robot(source), 0, None, "default")
-        html = page_text(result.record(), result, certificate_text(result))
+        html = page_text(result.record(), result)
         files[name] = folder / f"{name}.html"
         files[name].write_text(html, "utf-8")
     return files

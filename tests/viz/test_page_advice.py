@@ -24,7 +24,7 @@ def test_a_time_limit_is_named_and_more_time_advised() -> None:
     assert "because the time limit of 0 s has passed" in words
     assert "A verdict would come of more time (--timeout)." in words
     assert any("--timeout 600" in sentence for sentence in advice(record))
-    page = page_text(record, found, None)
+    page = page_text(record, found)
     assert words.replace("“", "“") in page
     assert "{&#39;" not in page
     assert "{'" not in page.split("<script")[0]
