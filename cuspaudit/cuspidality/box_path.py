@@ -34,8 +34,9 @@ from cuspaudit.cuspidality.surface_path import (
     resampled,
     shortened,
 )
-from cuspaudit.surface.box_aspects import BoxAspects, Gate, Place, gates
+from cuspaudit.surface.box_aspects import BoxAspects, Place
 from cuspaudit.surface.box_edges import start_of
+from cuspaudit.surface.box_events import Gate, gates
 from cuspaudit.surface.fiber_pieces import AtRational, AtRoot
 from cuspaudit.surface.sample_points import FiberPosture
 from cuspaudit.surface.surface import Factor, Surface

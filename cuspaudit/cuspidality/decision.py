@@ -20,16 +20,13 @@ verdict does not need is then left out, unless the whole run is asked for.
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, field
 from itertools import combinations
 from math import comb
-from typing import Literal, Protocol
+from typing import Literal
 
-import numpy as np
 from flint import fmpq
-from numpy.typing import NDArray
 
 from cuspaudit.algebra.points.parametrization import (
     RealPoint,
@@ -44,6 +41,7 @@ from cuspaudit.cuspidality.couple_first import (
     find_couple,
     more_fibers,
 )
+from cuspaudit.cuspidality.decision_result import Connectivity, Decision
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import (
     DegenerateMapError,
@@ -63,9 +61,9 @@ from cuspaudit.geometry.idle_circles import without_idle_circles
 from cuspaudit.geometry.roadmap import roadmap
 from cuspaudit.geometry.routing import morse_graph, routing
 from cuspaudit.runtime.clock import seconds_left, time_limit
-from cuspaudit.runtime.steps import Step, Steps
+from cuspaudit.runtime.steps import Steps
 
-__all__ = ["Couple", "Decision", "Engine", "decide", "points_over"]
+__all__ = ["Engine", "decide", "points_over"]
 
 Engine = Literal["auto", "roadmap", "routing"]
 
@@ -81,66 +79,6 @@ _BRIEFLY = 2.0
 #: minors of jac f with which assumption (A) takes longer than to look for a couple
 _MANY_MINORS = 40
 _EXACT = ("FLINT resultants", "FLINT root isolation", "exact signs", "ball arithmetic")
-
-
-class Connectivity(Protocol):
-    """The components of V - {Delta = 0}, by either route."""
-
-    @property
-    def grounds(self) -> Collection[str]:
-        """What their completeness rests on beside exact arithmetic and balls."""
-
-    @property
-    def number_of_components(self) -> int:
-        """Their number, proved."""
-
-    def component(self, point: RealPoint) -> int:
-        """The number of the component of a point with Delta != 0."""
-
-    def path(self, first: RealPoint, second: RealPoint) -> NDArray[np.float64]:
-        """Way points on V between two points of one component."""
-
-
-@dataclass(eq=False)
-class Decision:
-    """One run of Algorithm 1, as far as it came.
-
-    Attributes:
-        variety: V = {f = 0}.
-        mapping: R.
-        verdict: UNDECIDED until the run has ended.
-        engine: the route to connectivity that gave the verdict.
-        minors: Delta, or several minors with {Delta = 0} for their common zeros on V.
-        atypical: polynomials g with the atypical values among their zeros.
-        samples: real points over some values; of a complete run over one value, at
-            least, in every cell of {g != 0}.
-        most_is_proved: whether no regular value has more real points than these.
-        components: the number of components of V - {Delta = 0}, proved; None where
-            the verdict did not need it and it took too long.
-        couple: of a cuspidal map.
-        rests_on: what the verdict rests on.
-        steps: the steps that ended.
-        failure: why there is no verdict.
-    """
-
-    variety: PolynomialSystem
-    mapping: PolynomialMap
-    verdict: Verdict = Verdict.UNDECIDED
-    engine: str | None = None
-    minors: tuple[Polynomial, ...] = ()
-    atypical: list[Polynomial] = field(default_factory=list)
-    samples: dict[tuple[fmpq, ...], tuple[RealPoint, ...]] = field(default_factory=dict)
-    most_is_proved: bool = False
-    components: int | None = None
-    couple: Couple | None = None
-    rests_on: tuple[str, ...] = ()
-    steps: tuple[Step, ...] = ()
-    failure: UnableError | None = None
-
-    @property
-    def most_points(self) -> int | None:
-        """The largest number of real points over one of the sample values."""
-        return max(map(len, self.samples.values()), default=None)
 
 
 def decide(

@@ -6,7 +6,8 @@ from flint import fmpq
 from cuspaudit.algebra.polynomial_text import parse_polynomial
 from cuspaudit.algebra.ring import Ring
 from cuspaudit.algebra.system import PolynomialMap, PolynomialSystem
-from cuspaudit.cuspidality.decision import Decision, decide
+from cuspaudit.cuspidality.decision import decide
+from cuspaudit.cuspidality.decision_result import Decision
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import InvalidSystemError, UnableError
 from cuspaudit.geometry.angles import check_angles, rolled, unrolled

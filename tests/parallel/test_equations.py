@@ -7,7 +7,8 @@ import pytest
 
 from cuspaudit.algebra.evaluation import Evaluator
 from cuspaudit.auditing.systems.file import SystemFile, read_system, system_of
-from cuspaudit.cuspidality.decision import Decision, decide
+from cuspaudit.cuspidality.decision import decide
+from cuspaudit.cuspidality.decision_result import Decision
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.parallel.drawing import drawn
 from cuspaudit.parallel.equations import loops

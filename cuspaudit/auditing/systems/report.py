@@ -10,7 +10,8 @@ from cuspaudit.algebra.points.parametrization import RealPoint
 from cuspaudit.algebra.ring import Polynomial
 from cuspaudit.auditing.record import PACKAGES, SCHEMA
 from cuspaudit.auditing.systems.file import SystemFile
-from cuspaudit.cuspidality.decision import Decision, Engine, decide
+from cuspaudit.cuspidality.decision import Engine, decide
+from cuspaudit.cuspidality.decision_result import Decision
 from cuspaudit.cuspidality.verdict import Verdict
 from cuspaudit.errors import UnableError
 from cuspaudit.runtime.own_process import run_in_own_process
